@@ -1,0 +1,20 @@
+#include <exception>
+#include <legacy_gl/context.hpp>
+
+#include "lit_triangle.h"
+
+int main() {
+  OSMesaContext driver = make_driver_context();
+  if (!driver) return EXIT_FAILURE;
+  bool right = false;
+  try {
+    legacy_gl::OwnedContext context(reinterpret_cast<legacy_gl_loader>(OSMesaGetProcAddress));
+    context.make_current();
+    draw_lit_triangle();
+    right = picture_is_right();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  }
+  OSMesaDestroyContext(driver);
+  return right ? EXIT_SUCCESS : EXIT_FAILURE;
+}
