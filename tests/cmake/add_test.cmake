@@ -1,11 +1,12 @@
 # legacy_gl_add_test(<target> SOURCES <file>... [LIBRARIES <library>...] [LABELS <label>...]
-#                    [TIMEOUT <seconds>] [WHOLE])
+#                    [TIMEOUT <seconds>] [WHOLE] [VALGRIND <GoogleTest filter>])
 #
 # A GoogleTest program linked with the static library; internal headers are included relative to
 # src/, test headers relative to tests/. Every TEST is one CTest entry, "<target>.<suite>.<name>";
 # with WHOLE the program is one entry, for many short tests that share an expensive start.
+# VALGRIND says which of its tests scripts/valgrind runs: all of them unless told, "-*" for none.
 function(legacy_gl_add_test target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "TIMEOUT" "SOURCES;LIBRARIES;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "TIMEOUT;VALGRIND" "SOURCES;LIBRARIES;LABELS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
     message(FATAL_ERROR "legacy_gl_add_test(${target}): bad arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -18,7 +19,9 @@ function(legacy_gl_add_test target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${target} PRIVATE legacy_gl_internal ${arg_LIBRARIES} GTest::gtest_main)
 
-  if(arg_WHOLE)
+  if(LEGACY_GL_VALGRIND)
+    legacy_gl_add_valgrind_test(${target} "${arg_VALGRIND}" "${arg_LABELS}")
+  elseif(arg_WHOLE)
     add_test(NAME ${target} COMMAND ${target})
     set_tests_properties(${target} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
   else()
@@ -30,4 +33,25 @@ function(legacy_gl_add_test target)
       DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
   endif()
+endfunction()
+
+# One process a program: starting Mesa under valgrind takes seconds.
+function(legacy_gl_add_valgrind_test target filter labels)
+  if(NOT filter)
+    set(filter "*")
+  elseif(filter STREQUAL "-*")
+    return()
+  endif()
+  find_program(LEGACY_GL_VALGRIND_PROGRAM valgrind REQUIRED)
+  add_test(
+    NAME ${target}
+    COMMAND
+      ${LEGACY_GL_VALGRIND_PROGRAM} --quiet --error-exitcode=99 --leak-check=full
+      --suppressions=${PROJECT_SOURCE_DIR}/tests/support/valgrind.supp $<TARGET_FILE:${target}>
+      --gtest_filter=${filter})
+  # softpipe interprets shaders. llvmpipe's machine code comes from no file, so that valgrind could
+  # not tell a report about it from one about ours; and it starts three times slower.
+  set_tests_properties(
+    ${target} PROPERTIES LABELS "${labels}" TIMEOUT 1800 ENVIRONMENT
+                                                         "GALLIUM_DRIVER=softpipe;DRAW_USE_LLVM=0")
 endfunction()
