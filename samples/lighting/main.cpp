@@ -1,0 +1,77 @@
+// The scene of scene.c by Mesa's fixed function and by legacy_gl, and the difference of the
+// pictures.
+#include <legacy_gl/context.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "command_line.hpp"
+#include "support/osmesa_surface.hpp"
+#include "support/picture.hpp"
+
+namespace {
+
+using samples::OsmesaSurface;
+using samples::Picture;
+
+Picture drawn_by_mesa(const settings& scene) {
+  const OsmesaSurface surface(OsmesaSurface::Profile::compatibility, scene.width, scene.height);
+  draw_scene_by_mesa(&scene);
+  return surface.picture();
+}
+
+Picture drawn_by_legacy_gl(const settings& scene, bool phong) {
+  const OsmesaSurface surface(OsmesaSurface::Profile::core, scene.width, scene.height);
+  legacy_gl_options options = {};
+  options.quality = phong ? LEGACY_GL_QUALITY_PER_FRAGMENT : LEGACY_GL_QUALITY_DEFAULT;
+  legacy_gl_status status = LEGACY_GL_OK;
+  const std::unique_ptr<legacy_gl_context, decltype(&legacy_gl_destroy_context)> context(
+      legacy_gl_create_context(OSMesaGetProcAddress, &options, &status), legacy_gl_destroy_context);
+  if (!context) {
+    throw std::runtime_error(std::string("legacy_gl: ") + legacy_gl_status_string(status) + ": " +
+                             legacy_gl_status_detail());
+  }
+  legacy_gl_make_current(context.get());
+  draw_scene_by_legacy_gl(&scene);
+  legacy_gl_make_current(nullptr);
+  return surface.picture();
+}
+
+int run(const CommandLine& line) {
+  const Picture mesa = drawn_by_mesa(line.scene);
+  const Picture ours = drawn_by_legacy_gl(line.scene, line.phong);
+  const samples::Difference difference = samples::difference(ours, mesa, line.amplification);
+
+  const std::filesystem::path directory = line.output;
+  std::filesystem::create_directories(directory);
+  const auto save = [&](const Picture& picture, const char* name) {
+    const std::filesystem::path path = std::filesystem::absolute(directory / name);
+    samples::write_png(picture, path);
+    std::printf("%s\n", path.lexically_normal().c_str());
+  };
+  save(mesa, "mesa.png");
+  save(ours, "ours.png");
+  save(difference.amplified, "difference.png");
+  std::printf("largest difference: %d/255, in %zu of %zu pixels (difference.png: times %d)\n",
+              difference.largest, difference.differing_pixels, ours.rgba.size() / 4,
+              line.amplification);
+
+  // One step is the rounding of equal colours on either side of a half.
+  const bool pictures_should_agree = !line.phong;
+  return pictures_should_agree && difference.largest > 1 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_command_line(argc, argv));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lighting: %s\n", error.what());
+    return 2;
+  }
+}
