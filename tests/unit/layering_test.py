@@ -42,7 +42,7 @@ DRIVER_HEADER = re.compile(r"(GL|GLES\d?|EGL|KHR|X11|emscripten)/")
 ROOMS_WITH_DRIVER_HEADERS = {"backend", "platform"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
-SUFFIXES = {".h", ".hpp", ".c", ".cpp"}
+SUFFIXES = {".h", ".hpp", ".inc", ".c", ".cpp"}
 
 
 def violations(files):
