@@ -13,13 +13,13 @@
 
 #include <functional>
 #include <iosfwd>
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace glu_test {
 
 struct Call {
-  std::string name;
+  std::string_view name;
   std::vector<double> arguments;
 
   bool operator==(const Call&) const = default;

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <tuple>
 
 #include "glu_calls.hpp"
@@ -107,39 +106,39 @@ class GluQuadric : public testing::TestWithParam<std::tuple<GLenum, GLenum, GLen
   }
 };
 
-constexpr int slice_counts[] = {2, 3, 4, 16, 31, 239, 300};
-constexpr int stack_counts[] = {1, 2, 3, 7, 300};
+struct Segments {
+  int slices;
+  int stacks;
+};
+
+// The smallest counts, ordinary ones, and those at and beyond libGLU's limit.
+constexpr Segments segment_counts[] = {{2, 1},  {2, 7},   {3, 2},   {4, 3},   {16, 1},
+                                       {31, 7}, {17, 30}, {239, 2}, {300, 3}, {3, 300}};
 
 TEST_P(GluQuadric, SphereIsLibGlus) {
-  for (const int slices : slice_counts) {
-    for (const int stacks : stack_counts) {
-      expect_lib_glus(
-          [&](auto glu, GLUquadric* quadric) { glu.sphere(quadric, 1.7, slices, stacks); });
-    }
+  for (const auto& [slices, stacks] : segment_counts) {
+    expect_lib_glus(
+        [&](auto glu, GLUquadric* quadric) { glu.sphere(quadric, 1.7, slices, stacks); });
   }
   expect_lib_glus([](auto glu, GLUquadric* quadric) { glu.sphere(quadric, 0.0, 5, 4); });
 }
 
 TEST_P(GluQuadric, CylinderIsLibGlus) {
-  for (const int slices : slice_counts) {
-    for (const int stacks : stack_counts) {
-      for (const double top : {0.0, 0.3, 1.0, 1.7}) {
-        expect_lib_glus([&](auto glu, GLUquadric* quadric) {
-          glu.cylinder(quadric, 1.0, top, 2.3, slices, stacks);
-        });
-      }
+  for (const auto& [slices, stacks] : segment_counts) {
+    for (const double top : {0.0, 0.3, 1.0, 1.7}) {
+      expect_lib_glus([&](auto glu, GLUquadric* quadric) {
+        glu.cylinder(quadric, 1.0, top, 2.3, slices, stacks);
+      });
     }
   }
   expect_lib_glus([](auto glu, GLUquadric* quadric) { glu.cylinder(quadric, 1.3, 0.1, 0, 5, 4); });
 }
 
 TEST_P(GluQuadric, DiskIsLibGlus) {
-  for (const int slices : slice_counts) {
-    for (const int loops : stack_counts) {
-      for (const double inner : {0.0, 0.3, 1.7}) {
-        expect_lib_glus(
-            [&](auto glu, GLUquadric* quadric) { glu.disk(quadric, inner, 1.7, slices, loops); });
-      }
+  for (const auto& [slices, loops] : segment_counts) {
+    for (const double inner : {0.0, 0.3, 1.7}) {
+      expect_lib_glus(
+          [&](auto glu, GLUquadric* quadric) { glu.disk(quadric, inner, 1.7, slices, loops); });
     }
   }
 }
@@ -147,7 +146,7 @@ TEST_P(GluQuadric, DiskIsLibGlus) {
 TEST_P(GluQuadric, PartialDiskIsLibGlus) {
   for (const double sweep : {0.0, 30.0, 200.0, 360.0, 400.0, -90.0, -360.0, -400.0}) {
     for (const double inner : {0.0, 0.3, 1.7}) {
-      for (const int slices : {2, 5, 17, 300}) {
+      for (const int slices : {2, 5, 17}) {
         expect_lib_glus([&](auto glu, GLUquadric* quadric) {
           glu.partial_disk(quadric, inner, 1.7, slices, 3, 33.0, sweep);
         });
