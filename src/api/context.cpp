@@ -1,0 +1,164 @@
+// The C API of <legacy_gl/context.h>.
+#include "state/context.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+#include "api/unbuilt.hpp"
+#include "backend/backend.hpp"
+#include "dlist/dispatch.hpp"
+
+namespace legacy_gl {
+
+thread_local Context* current_context = nullptr;
+
+namespace {
+
+thread_local std::string status_detail;
+
+legacy_gl_status fail(legacy_gl_status status, std::string detail) {
+  status_detail = std::move(detail);
+  return status;
+}
+
+legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& options,
+                        std::unique_ptr<Context>& context) {
+  if (!loader) return fail(LEGACY_GL_INVALID_ARGUMENT, "the loader is NULL");
+  if (options.max_lights > kMaxLights || (options.max_lights && options.max_lights < 8))
+    return fail(LEGACY_GL_INVALID_ARGUMENT,
+                "max_lights is " + std::to_string(options.max_lights) + ", not 8 to 256");
+  Driver driver;
+  std::string detail;
+  switch (load_driver(driver, loader, detail)) {
+    case DriverStatus::kOk: break;
+    case DriverStatus::kNoContext: return fail(LEGACY_GL_NO_DRIVER_CONTEXT, detail);
+    case DriverStatus::kTooOld: return fail(LEGACY_GL_DRIVER_TOO_OLD, detail);
+    case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
+  }
+  context = std::make_unique<Context>(options);
+  context->backend = std::make_unique<Backend>(driver);
+  if (options.share) context->lists.names = options.share->lists.names;
+  // Table 6.x: viewport and scissor box start as the size of the window, which the driver knows.
+  driver.GetIntegerv(GL_VIEWPORT, context->raster.viewport.box.data());
+  driver.GetIntegerv(GL_SCISSOR_BOX, context->raster.scissor.box.data());
+  return LEGACY_GL_OK;
+}
+
+}  // namespace
+
+void raise_error(Context& context, GLenum error) {
+  if (context.error == GL_NO_ERROR) context.error = error;
+}
+
+void diagnose(Context& context, const std::string& message) {
+  if (!context.diagnostics_given.insert(message).second) return;
+  if (context.options.diagnostic)
+    context.options.diagnostic(message.c_str(), context.options.diagnostic_user);
+  else
+    std::fprintf(stderr, "legacy_gl: %s\n", message.c_str());
+}
+
+void report_no_context() {
+  static thread_local bool said = false;
+  if (said) return;
+  said = true;
+  std::fprintf(stderr, "legacy_gl: a GL function was called without a current context\n");
+}
+
+void report_unbuilt(const char* name) {
+  Context* const context = current_context;
+  if (!context) return report_no_context();
+  diagnose(*context, std::string(name) + " is not built yet");
+  raise_error(*context, GL_INVALID_OPERATION);
+}
+
+void flush_pending(Context& context) {
+  if (context.recorder.has_pending() && !context.recorder.inside_begin_end())
+    context.backend->draw_recorded(context);
+}
+
+}  // namespace legacy_gl
+
+legacy_gl_context::legacy_gl_context(const legacy_gl_options& chosen)
+    : options(chosen), lighting(chosen.max_lights ? chosen.max_lights : 8) {
+  options.share = nullptr;
+}
+
+legacy_gl_context::~legacy_gl_context() = default;
+
+using namespace legacy_gl;
+
+legacy_gl_context* legacy_gl_create_context(legacy_gl_loader loader,
+                                            const legacy_gl_options* options,
+                                            legacy_gl_status* status) {
+  std::unique_ptr<Context> context;
+  legacy_gl_status result = LEGACY_GL_OK;
+  try {
+    result = create(loader, options ? *options : legacy_gl_options{}, context);
+  } catch (const std::bad_alloc&) {
+    result = LEGACY_GL_OUT_OF_MEMORY;
+  }
+  if (status) *status = result;
+  return result == LEGACY_GL_OK ? context.release() : nullptr;
+}
+
+legacy_gl_status legacy_gl_make_current(legacy_gl_context* context) {
+  if (context == current_context) return LEGACY_GL_OK;
+  const std::thread::id here = std::this_thread::get_id();
+  if (context && context->current_in != std::thread::id{} && context->current_in != here)
+    return fail(LEGACY_GL_CURRENT_ELSEWHERE, "the context is current in another thread");
+  if (current_context) {
+    flush_pending(*current_context);
+    current_context->current_in = {};
+  }
+  current_context = context;
+  if (context) {
+    context->current_in = here;
+    context->backend->reset_driver_state();
+    context->dirty |= kDirtyRaster;
+  }
+  return LEGACY_GL_OK;
+}
+
+legacy_gl_context* legacy_gl_get_current(void) { return current_context; }
+
+void legacy_gl_destroy_context(legacy_gl_context* context) {
+  if (context == current_context) current_context = nullptr;
+  delete context;
+}
+
+void legacy_gl_flush(void) {
+  if (current_context) flush_pending(*current_context);
+}
+
+void legacy_gl_reset_driver_state(void) {
+  if (!current_context) return;
+  current_context->backend->reset_driver_state();
+  current_context->dirty |= kDirtyRaster;
+}
+
+void legacy_gl_get_statistics(legacy_gl_statistics* statistics) {
+  if (current_context && statistics) *statistics = current_context->statistics;
+}
+
+void legacy_gl_reset_statistics(void) {
+  if (current_context) current_context->statistics = {};
+}
+
+const char* legacy_gl_status_string(legacy_gl_status status) {
+  switch (status) {
+    case LEGACY_GL_OK: return "no error";
+    case LEGACY_GL_INVALID_ARGUMENT: return "an argument is invalid";
+    case LEGACY_GL_NO_DRIVER_CONTEXT: return "no driver context is current";
+    case LEGACY_GL_DRIVER_TOO_OLD: return "the driver is too old";
+    case LEGACY_GL_MISSING_FUNCTION: return "the driver misses a function";
+    case LEGACY_GL_SHADER_FAILURE: return "the driver refused a generated program";
+    case LEGACY_GL_CURRENT_ELSEWHERE: return "the context is current in another thread";
+    case LEGACY_GL_OUT_OF_MEMORY: return "out of memory";
+  }
+  return "unknown status";
+}
+
+const char* legacy_gl_status_detail(void) { return status_detail.c_str(); }

@@ -1,0 +1,163 @@
+#include "backend/backend.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "immediate/primitives.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+constexpr std::size_t kVertexRingBytes = std::size_t{8} << 20;
+constexpr std::size_t kIndexRingBytes = std::size_t{2} << 20;
+constexpr std::size_t kUniformRingBytes = std::size_t{1} << 20;
+
+}  // namespace
+
+Backend::Backend(const Driver& loaded)
+    : driver(loaded),
+      programs_(driver),
+      vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes),
+      indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes),
+      uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes),
+      arrays_(driver) {
+  GLint alignment = 0;
+  driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);
+}
+
+void Backend::reset_driver_state() {
+  bindings_known_ = false;
+  raster_.forget();
+  derived_.stale.fill(true);
+}
+
+void Backend::apply_raster(Context& context) {
+  if (!(context.dirty & kDirtyRaster)) return;
+  context.dirty &= ~std::uint32_t{kDirtyRaster};
+  raster_.apply(driver, context.raster);
+}
+
+void Backend::upload_block(Context& context, UniformBlock block, const void* data,
+                           std::size_t size) {
+  const std::size_t offset = uniforms_.write(data, size, uniform_alignment_);
+  driver.BindBufferRange(GL_UNIFORM_BUFFER, block, uniforms_.name(),
+                         static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size));
+  derived_.stale[block] = false;
+  context.statistics.uniform_bytes_uploaded += size;
+  ++context.statistics.uniform_block_updates;
+}
+
+void Backend::upload_uniforms(Context& context) {
+  if (derived_.stale[kTransformBlock])
+    upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform);
+  if (!derived_.key.lit) return;
+  if (derived_.stale[kLightsBlock] && !derived_.lights.empty())
+    upload_block(context, kLightsBlock, derived_.lights.data(),
+                 derived_.lights.size() * sizeof(LightUniforms));
+  for (unsigned face = 0; face < (derived_.key.two_side ? 2u : 1u); ++face) {
+    if (!derived_.stale[kFrontBlock + face]) continue;
+    const FaceUniforms& uniforms = derived_.faces[face];
+    const std::size_t product_bytes = uniforms.products.size() * sizeof(LightProducts);
+    block_scratch_.resize(sizeof uniforms.head + product_bytes);
+    std::memcpy(block_scratch_.data(), &uniforms.head, sizeof uniforms.head);
+    if (product_bytes)
+      std::memcpy(block_scratch_.data() + sizeof uniforms.head, uniforms.products.data(),
+                  product_bytes);
+    upload_block(context, static_cast<UniformBlock>(kFrontBlock + face), block_scratch_.data(),
+                 block_scratch_.size());
+  }
+}
+
+bool Backend::prepare(Context& context, const VertexLayout& layout) {
+  derived_.update(context, layout, driver.dialect);
+  derived_.key.point_size = driver.is_es();
+  const GLuint program = programs_.find_or_build(derived_.key, context.statistics);
+  if (!program) {
+    diagnose(context, "the driver refused a generated program: " + programs_.error());
+    return false;
+  }
+  if (!bindings_known_ || program != bound_program_) {
+    driver.UseProgram(program);
+    bound_program_ = program;
+    ++context.statistics.program_switches;
+  }
+  upload_uniforms(context);
+  apply_raster(context);
+  return true;
+}
+
+void Backend::bind_vertex_array(GLuint array) {
+  if (bindings_known_ && array == bound_array_) return;
+  driver.BindVertexArray(array);
+  bound_array_ = array;
+}
+
+std::uint32_t Backend::upload_vertices(Context& context) {
+  const Recorder& recorder = context.recorder;
+  const std::size_t stride = recorder.offsets().stride * sizeof(float);
+  const std::size_t size = recorder.vertex_count() * stride;
+  const std::size_t offset = vertices_.write(recorder.data(), size, stride);
+  context.statistics.vertex_bytes_uploaded += size;
+  context.statistics.vertices += recorder.vertex_count();
+  return static_cast<std::uint32_t>(offset / stride);
+}
+
+void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
+  const std::vector<PrimitiveRun>& runs = context.recorder.runs();
+  for (std::size_t at = 0; at < runs.size();) {
+    // Neighbours that the driver can draw in one call go together.
+    const GLenum mode = core_mode(runs[at].mode);
+    const bool indexed = !draws_without_indices(runs[at].mode);
+    first_scratch_.clear();
+    count_scratch_.clear();
+    index_scratch_.clear();
+    std::size_t end = at;
+    for (; end < runs.size() && core_mode(runs[end].mode) == mode &&
+           draws_without_indices(runs[end].mode) == !indexed;
+         ++end) {
+      PrimitiveRun run = runs[end];
+      run.first += base_vertex;
+      if (indexed) {
+        append_indices(run, index_scratch_);
+      } else {
+        first_scratch_.push_back(static_cast<GLint>(run.first));
+        count_scratch_.push_back(static_cast<GLsizei>(run.count));
+      }
+    }
+    at = end;
+    if (indexed) {
+      const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);
+      const std::size_t offset =
+          indices_.write(index_scratch_.data(), size, sizeof(std::uint32_t));
+      context.statistics.index_bytes_uploaded += size;
+      driver.DrawElements(mode, static_cast<GLsizei>(index_scratch_.size()), GL_UNSIGNED_INT,
+                          reinterpret_cast<const void*>(offset));
+      ++context.statistics.draws;
+    } else if (first_scratch_.size() > 1 && driver.MultiDrawArrays) {
+      driver.MultiDrawArrays(mode, first_scratch_.data(), count_scratch_.data(),
+                             static_cast<GLsizei>(first_scratch_.size()));
+      ++context.statistics.draws;
+    } else {
+      for (std::size_t i = 0; i < first_scratch_.size(); ++i)
+        driver.DrawArrays(mode, first_scratch_[i], count_scratch_[i]);
+      context.statistics.draws += first_scratch_.size();
+    }
+  }
+}
+
+void Backend::draw_recorded(Context& context) {
+  Recorder& recorder = context.recorder;
+  if (prepare(context, recorder.layout())) {
+    const std::uint32_t base_vertex = upload_vertices(context);
+    bind_vertex_array(
+        arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name()));
+    bindings_known_ = true;
+    draw_runs(context, base_vertex);
+    ++context.statistics.batches;
+  }
+  recorder.clear();
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,56 @@
+#pragma once
+#include <vector>
+
+#include "backend/derive.hpp"
+#include "backend/driver.hpp"
+#include "backend/program_cache.hpp"
+#include "backend/raster.hpp"
+#include "backend/stream_buffer.hpp"
+#include "backend/vertex_arrays.hpp"
+
+namespace legacy_gl {
+
+/// The driver's side of a context: everything here may call the real GL, and nothing else may.
+class Backend {
+ public:
+  explicit Backend(const Driver& loaded);
+
+  /// Draws the recorder's batch and clears it.
+  void draw_recorded(Context& context);
+
+  /// Brings blend, depth, masks, viewport and their like in the driver up to the context's.
+  void apply_raster(Context& context);
+
+  /// Forgets what is believed to be bound.
+  void reset_driver_state();
+
+  bool has_logic_op() const { return driver.LogicOp != nullptr; }
+
+  const Driver driver;
+
+ private:
+  bool prepare(Context& context, const VertexLayout& layout);
+  void upload_uniforms(Context& context);
+  void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size);
+  void bind_vertex_array(GLuint array);
+  void draw_runs(Context& context, std::uint32_t base_vertex);
+  std::uint32_t upload_vertices(Context& context);
+
+  ProgramCache programs_;
+  StreamBuffer vertices_;
+  StreamBuffer indices_;
+  StreamBuffer uniforms_;
+  VertexArrays arrays_;
+  RasterApplier raster_;
+  Derived derived_;
+  std::size_t uniform_alignment_ = 256;
+  GLuint bound_program_ = 0;
+  GLuint bound_array_ = 0;
+  bool bindings_known_ = false;
+  std::vector<std::uint32_t> index_scratch_;
+  std::vector<std::byte> block_scratch_;
+  std::vector<GLint> first_scratch_;
+  std::vector<GLsizei> count_scratch_;
+};
+
+}  // namespace legacy_gl

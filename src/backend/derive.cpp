@@ -1,0 +1,335 @@
+#include "backend/derive.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+namespace legacy_gl {
+
+namespace {
+
+/// NaN becomes 0 and infinity the largest float: one bad parameter stays one bad parameter.
+float finite(double value) {
+  if (std::isnan(value)) return 0;
+  return static_cast<float>(std::clamp(value, -double{FLT_MAX}, double{FLT_MAX}));
+}
+
+glm::vec4 finite(const glm::dvec3& v, double w) {
+  return {finite(v.x), finite(v.y), finite(v.z), finite(w)};
+}
+
+glm::dvec3 unit(const glm::dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);
+  const glm::dvec3 scaled = v / largest;
+  return scaled / glm::length(scaled);
+}
+
+glm::dvec3 rgb(const glm::vec4& color) { return {color.r, color.g, color.b}; }
+
+bool is_black(const glm::dvec3& color) { return color.r == 0 && color.g == 0 && color.b == 0; }
+
+bool is_directional(const Light& light) { return light.position_eye.w == 0; }
+
+bool is_spot(const Light& light) { return light.spot_cutoff_degrees != 180; }
+
+/// GL 2.1 spec 2.14.1, "spot" for a light whose direction is the same everywhere.
+double directional_spot_factor(const Light& light) {
+  const double cosine =
+      glm::dot(-unit(glm::dvec3(light.position_eye)), unit(light.spot_direction_eye));
+  const double limit =
+      std::cos(static_cast<double>(light.spot_cutoff_degrees) * std::numbers::pi / 180);
+  if (std::max(cosine, 0.0) < limit) return 0;
+  return std::pow(std::max(cosine, 0.0), static_cast<double>(light.spot_exponent));
+}
+
+/// The material as one of GL's colours, or white where it comes with the vertex.
+glm::dvec3 uniform_material(const Context& context, const ProgramKey& key, unsigned face,
+                            unsigned property) {
+  if (key.material[face][property] != MaterialSource::kUniform) return glm::dvec3(1);
+  return rgb(material_value(context.lighting.materials, face, property));
+}
+
+bool folds_into_scene(std::uint8_t kind) { return !(kind & (kLightAttenuated | kLightSpot)); }
+
+unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
+
+bool back_faces_visible(const Context& context) {
+  const PolygonState& polygon = context.raster.polygon;
+  return !(polygon.cull_enabled && polygon.cull_face != GL_FRONT);
+}
+
+/// When more kinds meet than a key holds, they become the three that serve all.
+std::uint8_t widest_kind(std::uint8_t kind) {
+  constexpr std::uint8_t kTerms = kLightDiffuse | kLightSpecular;
+  if (!(kind & kLightPoint)) return kTerms;
+  if (!(kind & kLightSpot)) return kLightPoint | kLightAttenuated | kLightAmbient | kTerms;
+  return kLightPoint | kLightAttenuated | kLightSpot | kLightSpotExponent | kLightAmbient | kTerms;
+}
+
+}  // namespace
+
+void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
+  const std::uint32_t dirty = context.dirty & ~std::uint32_t{kDirtyRaster};
+  const bool layout_changed = layout != layout_;
+  if (dirty == 0 && !layout_changed) return;
+  layout_ = layout;
+  context.dirty &= std::uint32_t{kDirtyRaster};
+
+  if (dirty & kDirtyTransform) update_transform(context);
+  const ProgramKey before = key;
+  if (dirty & kDirtyKey || layout_changed) {
+    key = ProgramKey{};
+    key.lit = context.lighting.enabled;
+    key.flat = context.lighting.shade_model == GL_FLAT;
+    key.secondary_from_vertex = (layout.fields & kFieldSecondaryColor) != 0;
+    if (key.lit) {
+      key.two_side = context.lighting.model.two_side && back_faces_visible(context);
+      choose_materials(context, layout);
+    }
+  }
+  if (key.lit) {
+    choose_space(context, layout);
+    if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
+      choose_lights(context);
+  }
+  const bool space_changed = before.space != key.space || before.normal != key.normal;
+  if (dirty & kDirtyTransform || space_changed) fill_transform(context);
+  if (!key.lit) return;
+  const bool lights_changed = !(before == key);
+  if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
+  if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed) fill_faces(context);
+}
+
+void Derived::update_transform(Context& context) {
+  const glm::dmat4& modelview = context.transform.modelview.top().exact;
+  affine_ = is_affine(modelview);
+  const glm::dmat3 linear(modelview);
+  if (linear_known_ && linear == linear_.matrix) return;
+  linear_ = analyse(linear);
+  linear_known_ = true;
+  ++context.statistics.normal_matrix_updates;
+}
+
+void Derived::choose_space(const Context& context, const VertexLayout& layout) {
+  key.position4 = (layout.fields & kFieldPositionW) != 0;
+  if (!affine_ || key.position4)
+    key.space = LightingSpace::kEyeHomogeneous;
+  else
+    key.space = linear_.keeps_angles ? LightingSpace::kObject : LightingSpace::kEyeAxes;
+
+  const bool in_object_space = key.space == LightingSpace::kObject;
+  if (context.transform.normalize_enabled)
+    key.normal = NormalMode::kNormalize;
+  else if (!in_object_space)
+    key.normal = NormalMode::kMatrix;
+  else if (context.transform.rescale_normal_enabled || std::abs(linear_.scale - 1) < 1e-9)
+    key.normal = NormalMode::kAsIs;
+  else
+    key.normal = NormalMode::kScaled;
+}
+
+void Derived::choose_materials(const Context& context, const VertexLayout& layout) {
+  const ColorMaterial& tracking = context.lighting.color_material;
+  const MaterialMask tracked =
+      tracking.enabled ? material_mask(tracking.face, tracking.mode) : MaterialMask{0};
+  for (unsigned face = 0; face < face_count(key); ++face)
+    for (unsigned property = 0; property < kPropertyCount; ++property) {
+      const MaterialMask bit = material_bit(face, property);
+      MaterialSource source = MaterialSource::kUniform;
+      if (layout.materials & bit) source = MaterialSource::kVertex;
+      if (tracked & bit) source = MaterialSource::kColor;
+      key.material[face][property] = source;
+    }
+}
+
+void Derived::choose_lights(Context& context) {
+  active_.clear();
+  const LightingState& lighting = context.lighting;
+  for (unsigned i = 0; i < lighting.lights.size(); ++i) {
+    const Light& light = lighting.lights[i];
+    if (!light.enabled) continue;
+    ActiveLight active{i, 0, 1};
+    if (is_directional(light)) {
+      if (is_spot(light)) active.strength = directional_spot_factor(light);
+    } else {
+      active.kind |= kLightPoint;
+      if (light.linear_attenuation != 0 || light.quadratic_attenuation != 0)
+        active.kind |= kLightAttenuated;
+      else if (light.constant_attenuation != 1)
+        active.strength = light.constant_attenuation == 0
+                              ? double{FLT_MAX}
+                              : 1 / static_cast<double>(light.constant_attenuation);
+      if (is_spot(light)) {
+        active.kind |= kLightSpot;
+        if (light.spot_exponent != 0) active.kind |= kLightSpotExponent;
+      }
+    }
+    bool ambient = false, diffuse = false, specular = false;
+    for (unsigned face = 0; face < face_count(key); ++face) {
+      const auto adds = [&](unsigned property, const glm::vec4& color) {
+        return !is_black(rgb(color) * uniform_material(context, key, face, property)) &&
+               active.strength != 0;
+      };
+      ambient |= adds(kAmbient, light.ambient);
+      diffuse |= adds(kDiffuse, light.diffuse);
+      specular |= adds(kSpecular, light.specular);
+    }
+    if (diffuse) active.kind |= kLightDiffuse;
+    if (specular) active.kind |= kLightSpecular;
+    if (ambient && !folds_into_scene(active.kind)) active.kind |= kLightAmbient;
+    // A light whose ambient term is folded stays in the list with no term of its own until the sums are made.
+    if (ambient || diffuse || specular) active_.push_back(active);
+    else ++context.statistics.lights_skipped;
+  }
+  std::stable_sort(active_.begin(), active_.end(),
+                   [](const ActiveLight& a, const ActiveLight& b) { return a.kind > b.kind; });
+
+  constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
+  const auto build_runs = [&] {
+    key.lights = {};
+    unsigned runs = 0;
+    for (const ActiveLight& light : active_) {
+      if (!(light.kind & kTerms)) continue;
+      if (runs && key.lights[runs - 1].kind == light.kind) {
+        ++key.lights[runs - 1].count;
+        continue;
+      }
+      if (runs == kMaxLightRuns) return false;
+      key.lights[runs++] = {light.kind, 1};
+    }
+    return true;
+  };
+  if (!build_runs()) {
+    for (ActiveLight& light : active_) light.kind = widest_kind(light.kind);
+    std::stable_sort(active_.begin(), active_.end(),
+                     [](const ActiveLight& a, const ActiveLight& b) { return a.kind > b.kind; });
+    build_runs();
+  }
+
+  bool specular = false, distance_to_viewer = false;
+  for (const LightRun& run : key.lights)
+    if (run.count && run.kind & kLightSpecular) specular = true;
+  distance_to_viewer = specular && lighting.model.local_viewer;
+  key.local_viewer = distance_to_viewer;
+  key.separate_specular = specular && lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+  key.integer_shininess = {};
+  for (unsigned face = 0; specular && face < face_count(key); ++face) {
+    const float shininess = lighting.materials[face].shininess;
+    const bool whole = shininess == std::floor(shininess) && shininess >= 0 && shininess <= 128;
+    key.integer_shininess[face] =
+        whole && key.material[face][kShininess] == MaterialSource::kUniform
+            ? static_cast<std::uint8_t>(shininess)
+            : kGeneralShininess;
+  }
+}
+
+void Derived::fill_transform(const Context& context) {
+  stale[kTransformBlock] = true;
+  const Matrix& modelview = context.transform.modelview.top();
+  transform.modelview_projection = context.transform.projection.top().single * modelview.single;
+  transform.point.x = context.raster.point.size;
+  if (!key.lit) return;
+  transform.modelview = glm::mat4(modelview.exact);
+  glm::dmat3 normal_matrix = linear_.inverse_transpose;
+  if (context.transform.normalize_enabled)
+    normal_matrix = linear_.cofactor * linear_.determinant_sign;
+  else if (context.transform.rescale_normal_enabled)
+    normal_matrix = normal_matrix * linear_.rescale_factor;
+  for (int column = 0; column < 3; ++column)
+    transform.normal_matrix[static_cast<unsigned>(column)] = finite(normal_matrix[column], 0);
+
+  glm::dvec3 viewer(0, 0, 1);  // the direction to an infinite viewer
+  const glm::dvec3 translation(modelview.exact[3]);
+  const bool local = context.lighting.model.local_viewer;
+  const glm::dmat3 to_object = glm::transpose(linear_.matrix) / (linear_.scale * linear_.scale);
+  switch (key.space) {
+    case LightingSpace::kObject:
+      viewer = local ? to_object * -translation : to_object * viewer * linear_.scale;
+      break;
+    case LightingSpace::kEyeAxes:
+      if (local) viewer = -translation;
+      break;
+    case LightingSpace::kEyeHomogeneous:
+      if (local) viewer = glm::dvec3(0);
+      break;
+  }
+  transform.viewer = finite(viewer, 1 / linear_.scale);
+}
+
+void Derived::fill_lights(const Context& context) {
+  stale[kLightsBlock] = true;
+  lights.clear();
+  const glm::dvec3 translation(context.transform.modelview.top().exact[3]);
+  const bool in_object_space = key.space == LightingSpace::kObject;
+  const double scale = in_object_space ? linear_.scale : 1;
+  const glm::dmat3 rotation =
+      in_object_space ? glm::transpose(linear_.matrix) / linear_.scale : glm::dmat3(1.0);
+  const glm::dvec3 origin =
+      key.space == LightingSpace::kEyeHomogeneous ? glm::dvec3(0) : translation;
+
+  for (const ActiveLight& active : active_) {
+    if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
+    const Light& light = context.lighting.lights[active.index];
+    LightUniforms uniforms;
+    const glm::dvec3 position(light.position_eye);
+    if (is_directional(light)) {
+      const glm::dvec3 to_light = unit(position);
+      uniforms.position = finite(rotation * to_light, 0);
+      uniforms.half_vector = finite(rotation * unit(to_light + glm::dvec3(0, 0, 1)), 0);
+    } else {
+      const glm::dvec3 point = position / light.position_eye.w;
+      uniforms.position = finite(rotation * (point - origin) / scale, 1);
+      const double k0 = static_cast<double>(light.constant_attenuation);
+      const double k1 = static_cast<double>(light.linear_attenuation) * scale;
+      const double k2 = static_cast<double>(light.quadratic_attenuation) * scale * scale;
+      uniforms.attenuation =
+          finite(glm::dvec3(k0, k1, k2), static_cast<double>(light.spot_exponent));
+      // A light whose constant attenuation is folded meets the widest kind with attenuation 1.
+      if (k1 == 0 && k2 == 0) uniforms.attenuation = {1, 0, 0, light.spot_exponent};
+      if (is_spot(light)) {
+        const double half_cutoff =
+            static_cast<double>(light.spot_cutoff_degrees) * (std::numbers::pi / 360);
+        const double limit = 2 * std::sin(half_cutoff) * std::sin(half_cutoff);
+        uniforms.spot_direction = finite(rotation * unit(light.spot_direction_eye), limit);
+      } else {
+        uniforms.spot_direction = {0, 0, 0, 4};
+        uniforms.attenuation.w = 0;
+      }
+    }
+    lights.push_back(uniforms);
+  }
+}
+
+void Derived::fill_faces(const Context& context) {
+  for (unsigned face = 0; face < face_count(key); ++face) {
+    stale[kFrontBlock + face] = true;
+    FaceUniforms& uniforms = faces[face];
+    uniforms.products.clear();
+    glm::dvec3 ambient_light = rgb(context.lighting.model.ambient);
+    for (const ActiveLight& active : active_) {
+      const Light& light = context.lighting.lights[active.index];
+      if (folds_into_scene(active.kind)) ambient_light += rgb(light.ambient) * active.strength;
+      if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
+      const auto product = [&](unsigned property, const glm::vec4& color) {
+        return finite(
+            rgb(color) * uniform_material(context, key, face, property) * active.strength, 0);
+      };
+      uniforms.products.push_back({product(kAmbient, light.ambient),
+                                   product(kDiffuse, light.diffuse),
+                                   product(kSpecular, light.specular)});
+    }
+    const Material& material = context.lighting.materials[face];
+    glm::dvec3 scene(0);
+    if (key.material[face][kAmbient] == MaterialSource::kUniform)
+      scene += ambient_light * rgb(material.ambient);
+    if (key.material[face][kEmission] == MaterialSource::kUniform) scene += rgb(material.emission);
+    uniforms.head.scene = finite(scene, static_cast<double>(material.diffuse.a));
+    uniforms.head.ambient_light = finite(ambient_light, static_cast<double>(material.shininess));
+  }
+}
+
+}  // namespace legacy_gl

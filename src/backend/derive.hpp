@@ -1,0 +1,54 @@
+#pragma once
+// From GL's state to what a draw needs: the program key and the values of the uniform blocks. No GL call.
+#include <vector>
+
+#include "matrix/lighting_space.hpp"
+#include "immediate/vertex_layout.hpp"
+#include "shadergen/program_key.hpp"
+#include "shadergen/uniform_blocks.hpp"
+#include "state/context.hpp"
+
+namespace legacy_gl {
+
+/// One face's block: the head, then the products of each light that is left.
+struct FaceUniforms {
+  MaterialUniforms head;
+  std::vector<LightProducts> products;
+};
+
+/// An enabled light that adds something, and how its colours enter.
+struct ActiveLight {
+  unsigned index = 0;       ///< GL_LIGHT0 + index
+  std::uint8_t kind = 0;    ///< LightKindBit
+  double strength = 1;      ///< constant attenuation and the cone of a directional light
+};
+
+class Derived {
+ public:
+  /// Brings key and values up to date with the state, as far as the dirty bits (which it clears, but for
+  /// kDirtyRaster) and the batch's layout ask for. Sets `stale` for each block whose values changed.
+  void update(Context& context, const VertexLayout& layout, Dialect dialect);
+
+  ProgramKey key;
+  TransformUniforms transform;
+  std::vector<LightUniforms> lights;
+  std::array<FaceUniforms, 2> faces;
+  std::array<bool, kUniformBlockCount> stale{true, true, true, true};
+
+ private:
+  void update_transform(Context& context);
+  void choose_space(const Context& context, const VertexLayout& layout);
+  void choose_materials(const Context& context, const VertexLayout& layout);
+  void choose_lights(Context& context);
+  void fill_transform(const Context& context);
+  void fill_lights(const Context& context);
+  void fill_faces(const Context& context);
+
+  LinearPart linear_;
+  bool affine_ = true;
+  bool linear_known_ = false;
+  VertexLayout layout_;
+  std::vector<ActiveLight> active_;
+};
+
+}  // namespace legacy_gl

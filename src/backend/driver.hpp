@@ -1,0 +1,114 @@
+#pragma once
+// The driver's functions. The driver's own headers are included by src/backend alone.
+#include <GL/glcorearb.h>
+
+#include <string>
+
+#include "shadergen/program_key.hpp"
+
+namespace legacy_gl {
+
+// Needed of every driver: what GL 3.3 core and GLES 3.0 have in common.
+#define LEGACY_GL_DRIVER_FUNCTIONS(X) \
+  X(ActiveTexture, ACTIVETEXTURE) \
+  X(AttachShader, ATTACHSHADER) \
+  X(BindBuffer, BINDBUFFER) \
+  X(BindBufferBase, BINDBUFFERBASE) \
+  X(BindBufferRange, BINDBUFFERRANGE) \
+  X(BindVertexArray, BINDVERTEXARRAY) \
+  X(BlendColor, BLENDCOLOR) \
+  X(BlendEquation, BLENDEQUATION) \
+  X(BlendFuncSeparate, BLENDFUNCSEPARATE) \
+  X(BufferData, BUFFERDATA) \
+  X(BufferSubData, BUFFERSUBDATA) \
+  X(Clear, CLEAR) \
+  X(ClearColor, CLEARCOLOR) \
+  X(ClearStencil, CLEARSTENCIL) \
+  X(ColorMask, COLORMASK) \
+  X(CompileShader, COMPILESHADER) \
+  X(CreateProgram, CREATEPROGRAM) \
+  X(CreateShader, CREATESHADER) \
+  X(CullFace, CULLFACE) \
+  X(DeleteBuffers, DELETEBUFFERS) \
+  X(DeleteProgram, DELETEPROGRAM) \
+  X(DeleteShader, DELETESHADER) \
+  X(DeleteVertexArrays, DELETEVERTEXARRAYS) \
+  X(DepthFunc, DEPTHFUNC) \
+  X(DepthMask, DEPTHMASK) \
+  X(Disable, DISABLE) \
+  X(DisableVertexAttribArray, DISABLEVERTEXATTRIBARRAY) \
+  X(DrawArrays, DRAWARRAYS) \
+  X(DrawElements, DRAWELEMENTS) \
+  X(DrawRangeElements, DRAWRANGEELEMENTS) \
+  X(Enable, ENABLE) \
+  X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
+  X(Finish, FINISH) \
+  X(Flush, FLUSH) \
+  X(FrontFace, FRONTFACE) \
+  X(GenBuffers, GENBUFFERS) \
+  X(GenVertexArrays, GENVERTEXARRAYS) \
+  X(GetError, GETERROR) \
+  X(GetFloatv, GETFLOATV) \
+  X(GetIntegerv, GETINTEGERV) \
+  X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
+  X(GetProgramiv, GETPROGRAMIV) \
+  X(GetShaderInfoLog, GETSHADERINFOLOG) \
+  X(GetShaderiv, GETSHADERIV) \
+  X(GetString, GETSTRING) \
+  X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) \
+  X(Hint, HINT) \
+  X(IsBuffer, ISBUFFER) \
+  X(LineWidth, LINEWIDTH) \
+  X(LinkProgram, LINKPROGRAM) \
+  X(MapBufferRange, MAPBUFFERRANGE) \
+  X(PixelStorei, PIXELSTOREI) \
+  X(PolygonOffset, POLYGONOFFSET) \
+  X(ReadBuffer, READBUFFER) \
+  X(ReadPixels, READPIXELS) \
+  X(SampleCoverage, SAMPLECOVERAGE) \
+  X(Scissor, SCISSOR) \
+  X(ShaderSource, SHADERSOURCE) \
+  X(StencilFunc, STENCILFUNC) \
+  X(StencilMask, STENCILMASK) \
+  X(StencilOp, STENCILOP) \
+  X(UniformBlockBinding, UNIFORMBLOCKBINDING) \
+  X(UnmapBuffer, UNMAPBUFFER) \
+  X(UseProgram, USEPROGRAM) \
+  X(VertexAttrib4fv, VERTEXATTRIB4FV) \
+  X(VertexAttribPointer, VERTEXATTRIBPOINTER) \
+  X(Viewport, VIEWPORT)
+
+// Desktop only, or GLES only: nullptr where the driver has none.
+#define LEGACY_GL_OPTIONAL_DRIVER_FUNCTIONS(X) \
+  X(ClearDepth, CLEARDEPTH) \
+  X(ClearDepthf, CLEARDEPTHF) \
+  X(DepthRange, DEPTHRANGE) \
+  X(DepthRangef, DEPTHRANGEF) \
+  X(DrawBuffer, DRAWBUFFER) \
+  X(DrawBuffers, DRAWBUFFERS) \
+  X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX) \
+  X(LogicOp, LOGICOP) \
+  X(MultiDrawArrays, MULTIDRAWARRAYS) \
+  X(GetBufferSubData, GETBUFFERSUBDATA) \
+  X(PointSize, POINTSIZE) \
+  X(PolygonMode, POLYGONMODE)
+
+struct Driver {
+#define LEGACY_GL_DECLARE(name, NAME) PFNGL##NAME##PROC name = nullptr;
+  LEGACY_GL_DRIVER_FUNCTIONS(LEGACY_GL_DECLARE)
+  LEGACY_GL_OPTIONAL_DRIVER_FUNCTIONS(LEGACY_GL_DECLARE)
+#undef LEGACY_GL_DECLARE
+
+  Dialect dialect = Dialect::kCore330;
+  int major = 0, minor = 0;
+  bool is_es() const { return dialect == Dialect::kEs300; }
+};
+
+using Loader = void (*(*)(const char*))();
+
+enum class DriverStatus { kOk, kNoContext, kTooOld, kMissingFunction };
+
+/// Fills the table. `detail` gets the version or the function that is at fault.
+DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail);
+
+}  // namespace legacy_gl

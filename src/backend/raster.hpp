@@ -1,0 +1,19 @@
+#pragma once
+#include "backend/driver.hpp"
+#include "state/raster.hpp"
+
+namespace legacy_gl {
+
+/// Hands the raster state to the driver, as far as it differs from what the driver has.
+class RasterApplier {
+ public:
+  void apply(const Driver& driver, const RasterState& wanted);
+  /// The driver's state is unknown: the next apply hands on everything.
+  void forget() { known_ = false; }
+
+ private:
+  bool known_ = false;
+  RasterState driver_state_;
+};
+
+}  // namespace legacy_gl

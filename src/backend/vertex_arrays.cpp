@@ -1,0 +1,41 @@
+#include "backend/vertex_arrays.hpp"
+
+#include "shadergen/attributes.hpp"
+
+namespace legacy_gl {
+
+VertexArrays::~VertexArrays() {
+  for (const auto& [key, array] : arrays_) driver_.DeleteVertexArrays(1, &array);
+}
+
+GLuint VertexArrays::find_or_build(const VertexLayout& layout, GLuint vertex_buffer,
+                                   GLuint index_buffer) {
+  const Key key{static_cast<unsigned>(layout.fields) << 16 | layout.materials, vertex_buffer,
+                index_buffer};
+  if (const auto at = arrays_.find(key); at != arrays_.end()) return at->second;
+
+  GLuint array = 0;
+  driver_.GenVertexArrays(1, &array);
+  driver_.BindVertexArray(array);
+  driver_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
+  driver_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
+  const VertexOffsets offsets = offsets_of(layout);
+  const auto attribute = [&](unsigned location, unsigned size, unsigned offset) {
+    driver_.EnableVertexAttribArray(location);
+    driver_.VertexAttribPointer(location, static_cast<GLint>(size), GL_FLOAT, GL_FALSE,
+                                static_cast<GLsizei>(offsets.stride * sizeof(float)),
+                                reinterpret_cast<const void*>(offset * sizeof(float)));
+  };
+  attribute(kLocationPosition, offsets.position_size, 0);
+  if (layout.fields & kFieldNormal) attribute(kLocationNormal, 3, offsets.normal);
+  if (layout.fields & kFieldColor) attribute(kLocationColor, 4, offsets.color);
+  if (layout.fields & kFieldSecondaryColor)
+    attribute(kLocationSecondaryColor, 3, offsets.secondary_color);
+  for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
+    if (layout.materials & (1u << i))
+      attribute(kLocationMaterial + i, material_size(i % kPropertyCount), offsets.materials[i]);
+  arrays_.emplace(key, array);
+  return array;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,31 @@
+#pragma once
+#include <map>
+
+#include "backend/driver.hpp"
+#include "immediate/vertex_layout.hpp"
+
+namespace legacy_gl {
+
+/// One vertex array object for each layout and buffer, specified once and never again: drivers may compile their
+/// vertex fetch for it.
+class VertexArrays {
+ public:
+  explicit VertexArrays(const Driver& driver) : driver_(driver) {}
+  ~VertexArrays();
+  VertexArrays(const VertexArrays&) = delete;
+  VertexArrays& operator=(const VertexArrays&) = delete;
+
+  /// Vertices of `layout` in `vertex_buffer` from its start on; indices in `index_buffer`.
+  GLuint find_or_build(const VertexLayout& layout, GLuint vertex_buffer, GLuint index_buffer);
+
+ private:
+  struct Key {
+    unsigned layout;
+    GLuint vertex_buffer, index_buffer;
+    auto operator<=>(const Key&) const = default;
+  };
+  const Driver& driver_;
+  std::map<Key, GLuint> arrays_;
+};
+
+}  // namespace legacy_gl

@@ -1,0 +1,50 @@
+#pragma once
+// Every command that a display list can hold passes here: it is executed, recorded, or both.
+#include <new>
+#include <tuple>
+#include <type_traits>
+
+#include "state/context.hpp"
+
+namespace legacy_gl {
+
+/// Says once that an entry point was called without a current context.
+void report_no_context();
+
+template <auto Execute, typename... Args>
+void play(Context& context, const void* payload) {
+  std::apply([&context](const Args&... args) { Execute(context, args...); },
+             *static_cast<const std::tuple<Args...>*>(payload));
+}
+
+/// Records Execute(args...) in the list being compiled; executes it unless the mode is GL_COMPILE. The arguments are
+/// values: a command that takes a pointer copies what it points to first (GL 2.1 spec 5.4).
+template <auto Execute, typename... Args>
+inline void dispatch(const Args&... args) {
+  static_assert((std::is_trivially_copyable_v<Args> && ...));
+  Context* const context = current_context;
+  if (!context) [[unlikely]]
+    return report_no_context();
+  if (context->lists.compiling) [[unlikely]] {
+    using Payload = std::tuple<Args...>;
+    void* const payload = context->lists.append(&play<Execute, Args...>, sizeof(Payload));
+    new (payload) Payload(args...);
+    if (context->lists.mode == GL_COMPILE) return;
+  }
+  Execute(*context, args...);
+}
+
+/// For commands that no list holds: executes at once.
+template <auto Execute, typename... Args>
+inline auto execute_now(Args... args) -> decltype(Execute(*current_context, args...)) {
+  using Result = decltype(Execute(*current_context, args...));
+  Context* const context = current_context;
+  if (!context) [[unlikely]] {
+    report_no_context();
+    if constexpr (!std::is_void_v<Result>) return Result{};
+    else return;
+  }
+  return Execute(*context, args...);
+}
+
+}  // namespace legacy_gl

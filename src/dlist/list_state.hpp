@@ -1,0 +1,41 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "dlist/display_list.hpp"
+#include "state/gl_types.hpp"
+
+namespace legacy_gl {
+
+/// The names and lists that contexts which share see alike. A list is replaced whole when glEndList is called, and
+/// lives on while it is being executed.
+class ListNames {
+ public:
+  std::shared_ptr<const DisplayList> find(GLuint name) const;
+  bool contains(GLuint name) const;
+  void store(GLuint name, std::shared_ptr<const DisplayList> list);
+  void erase(GLuint first, GLuint count);
+  /// The first of `count` unused names in a row, each now an empty list; 0 when there are none.
+  GLuint generate(GLuint count);
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<GLuint, std::shared_ptr<const DisplayList>> lists_;
+};
+
+struct ListState {
+  static constexpr unsigned kMaxNesting = 64;
+
+  std::shared_ptr<ListNames> names = std::make_shared<ListNames>();
+  bool compiling = false;
+  GLenum mode = 0;
+  GLuint compiling_name = 0;
+  std::shared_ptr<DisplayList> compiling_list;
+  GLuint base = 0;
+  unsigned nesting = 0;
+
+  void* append(PlayFunction play, std::size_t size) { return compiling_list->append(play, size); }
+};
+
+}  // namespace legacy_gl

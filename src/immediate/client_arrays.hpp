@@ -1,0 +1,7 @@
+#pragma once
+
+namespace legacy_gl {
+
+struct ClientArrays {};
+
+}  // namespace legacy_gl

@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "immediate/recorder.hpp"
+
+namespace legacy_gl {
+
+/// What the core profile draws a primitive as.
+GLenum core_mode(GLenum mode);
+
+/// The core profile draws the mode's vertices as they come; the others need indices.
+bool draws_without_indices(GLenum mode);
+
+/// Appends the indices that draw `run` as core_mode(run.mode). Triangles keep the order, and end with the vertex,
+/// that the fixed-function pipeline's own split gives: flat shading takes its colour from the last one
+/// (GL 2.1 spec 2.14.7, table 2.12), and interpolation starts from the first.
+void append_indices(const PrimitiveRun& run, std::vector<std::uint32_t>& indices);
+
+}  // namespace legacy_gl

@@ -1,0 +1,209 @@
+#include "immediate/recorder.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "state/context.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// A batch this large is drawn at the next glEnd: memory stays bounded, and the driver starts early.
+constexpr std::size_t kFlushFloats = std::size_t{1} << 20;
+constexpr std::size_t kFirstFloats = std::size_t{1} << 14;
+
+template <typename V>
+float* put(float* at, const V& value, unsigned size) {
+  std::memcpy(at, &value[0], size * sizeof(float));
+  return at + size;
+}
+
+/// Everything behind the position.
+float* put_fields(const Context& context, const VertexLayout& layout, float* at) {
+  if (layout.fields & kFieldNormal) at = put(at, context.current.normal, 3);
+  if (layout.fields & kFieldColor) at = put(at, context.current.color, 4);
+  if (layout.fields & kFieldSecondaryColor) at = put(at, context.current.secondary_color, 3);
+  if (layout.materials) {
+    for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
+      if (layout.materials & (1u << i))
+        at = put(at,
+                 material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount),
+                 material_size(i % kPropertyCount));
+  }
+  return at;
+}
+
+bool list_of_independent_primitives(GLenum mode) {
+  return mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES || mode == GL_QUADS;
+}
+
+}  // namespace
+
+std::uint32_t whole_primitives(GLenum mode, std::uint32_t count) {
+  switch (mode) {
+    case GL_LINES: return count - count % 2;
+    case GL_TRIANGLES: return count - count % 3;
+    case GL_QUADS: return count - count % 4;
+    case GL_LINE_STRIP:
+    case GL_LINE_LOOP: return count < 2 ? 0 : count;
+    case GL_TRIANGLE_STRIP:
+    case GL_TRIANGLE_FAN:
+    case GL_POLYGON: return count < 3 ? 0 : count;
+    case GL_QUAD_STRIP: return count < 4 ? 0 : count - count % 2;
+    default: return count;
+  }
+}
+
+VertexLayout Recorder::relevant_layout(const Context& context) {
+  VertexLayout layout;
+  if (context.lighting.enabled) {
+    layout.fields = kFieldNormal;
+    if (context.lighting.color_material.enabled) layout.fields |= kFieldColor;
+  } else {
+    layout.fields = kFieldColor;
+    if (context.color_sum_enabled) layout.fields |= kFieldSecondaryColor;
+  }
+  return layout;
+}
+
+void Recorder::start_batch(const Context& context) {
+  if (has_pending()) return;
+  layout_ = relevant_layout(context);
+  offsets_ = offsets_of(layout_);
+  cursor_ = storage_.get();
+}
+
+void Recorder::reserve(std::uint32_t more_vertices) {
+  const std::size_t used = static_cast<std::size_t>(cursor_ - storage_.get());
+  const std::size_t wanted = used + std::size_t{more_vertices} * offsets_.stride;
+  if (wanted > capacity_floats_) {
+    const std::size_t capacity = std::max({wanted, 2 * capacity_floats_, kFirstFloats});
+    std::unique_ptr<float[]> storage(new float[capacity]);
+    if (used) std::memcpy(storage.get(), storage_.get(), used * sizeof(float));
+    storage_ = std::move(storage);
+    capacity_floats_ = capacity;
+  }
+  cursor_ = storage_.get() + used;
+  limit_ = storage_.get() + capacity_floats_;
+}
+
+void Recorder::begin(Context& context, GLenum mode) {
+  start_batch(context);
+  inside_ = true;
+  mode_ = mode;
+  reserve(4);
+  first_ = vertex_count();
+}
+
+float* Recorder::emit(Context& context) {
+  if (cursor_ + offsets_.stride > limit_) reserve(1);
+  float* const vertex = cursor_;
+  put_fields(context, layout_, vertex + offsets_.position_size);
+  cursor_ = vertex + offsets_.stride;
+  return vertex;
+}
+
+void Recorder::vertex(Context& context, float x, float y, float z) {
+  if (!inside_) return;  // undefined outside Begin/End (GL 2.1 spec 2.6.1): ignored
+  float* const vertex = emit(context);
+  vertex[0] = x;
+  vertex[1] = y;
+  vertex[2] = z;
+  if (offsets_.position_size == 4) vertex[3] = 1;
+}
+
+void Recorder::vertex(Context& context, float x, float y, float z, float w) {
+  if (!inside_) return;
+  if (w != 1 && offsets_.position_size == 3) {
+    VertexLayout with_w = layout_;
+    with_w.fields |= kFieldPositionW;
+    widen(context, with_w);
+  }
+  float* const vertex = emit(context);
+  vertex[0] = x;
+  vertex[1] = y;
+  vertex[2] = z;
+  if (offsets_.position_size == 4) vertex[3] = w;
+}
+
+void Recorder::close_run(Context& context, GLenum mode, std::uint32_t first) {
+  const std::uint32_t count = whole_primitives(mode, vertex_count() - first);
+  cursor_ = storage_.get() + std::size_t{first + count} * offsets_.stride;
+  if (count == 0) return;
+  if (!runs_.empty()) {
+    ++context.statistics.begin_end_merged;
+    PrimitiveRun& last = runs_.back();
+    if (last.mode == mode && list_of_independent_primitives(mode) &&
+        last.first + last.count == first) {
+      last.count += count;
+      return;
+    }
+  }
+  runs_.push_back({mode, first, count});
+}
+
+void Recorder::end(Context& context) {
+  inside_ = false;
+  close_run(context, mode_, first_);
+  if (static_cast<std::size_t>(cursor_ - storage_.get()) > kFlushFloats) flush_pending(context);
+}
+
+float* Recorder::append(Context& context, GLenum mode, std::uint32_t count) {
+  start_batch(context);
+  const std::uint32_t first = vertex_count();
+  reserve(count);
+  float* const vertices = cursor_;
+  cursor_ += std::size_t{count} * offsets_.stride;
+  close_run(context, mode, first);
+  return vertices;
+}
+
+void Recorder::widen(const Context& context, const VertexLayout& layout) {
+  const std::uint32_t count = vertex_count();
+  const VertexOffsets old = offsets_;
+  const std::unique_ptr<float[]> narrow = std::move(storage_);
+  const VertexOffsets wide = offsets_of(layout);
+  capacity_floats_ = std::max(capacity_floats_, 2 * std::size_t{count + 4} * wide.stride);
+  storage_.reset(new float[capacity_floats_]);
+  const unsigned old_rest = old.stride - old.position_size;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float* const from = narrow.get() + std::size_t{i} * old.stride;
+    float* const to = storage_.get() + std::size_t{i} * wide.stride;
+    // New fields take the values of now; the old ones then overwrite their own.
+    put_fields(context, layout, to + wide.position_size);
+    to[3] = wide.position_size == 4 && old.position_size == 3 ? 1.0f : to[3];
+    std::memcpy(to, from, old.position_size * sizeof(float));
+    if (layout.materials == layout_.materials) {
+      std::memcpy(to + wide.position_size, from + old.position_size, old_rest * sizeof(float));
+      continue;
+    }
+    const auto keep = [&](unsigned target, unsigned source, unsigned size) {
+      std::memcpy(to + target, from + source, size * sizeof(float));
+    };
+    if (layout_.fields & kFieldNormal) keep(wide.normal, old.normal, 3);
+    if (layout_.fields & kFieldColor) keep(wide.color, old.color, 4);
+    if (layout_.fields & kFieldSecondaryColor) keep(wide.secondary_color, old.secondary_color, 3);
+    for (unsigned m = 0; m < 2 * kPropertyCount; ++m)
+      if (layout_.materials & (1u << m))
+        keep(wide.materials[m], old.materials[m], material_size(m % kPropertyCount));
+  }
+  layout_ = layout;
+  offsets_ = wide;
+  cursor_ = storage_.get() + std::size_t{count} * wide.stride;
+  limit_ = storage_.get() + capacity_floats_;
+}
+
+void Recorder::carry_materials(Context& context, MaterialMask mask) {
+  if (!context.lighting.enabled) return;
+  VertexLayout layout = layout_;
+  layout.materials = static_cast<MaterialMask>(layout.materials | mask);
+  if (layout != layout_) widen(context, layout);
+}
+
+void Recorder::clear() {
+  runs_.clear();
+  cursor_ = storage_.get();
+}
+
+}  // namespace legacy_gl

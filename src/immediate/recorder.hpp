@@ -1,0 +1,77 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+#include "immediate/vertex_layout.hpp"
+#include "state/gl_types.hpp"
+
+struct legacy_gl_context;
+
+namespace legacy_gl {
+
+/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`.
+struct PrimitiveRun {
+  GLenum mode = GL_POINTS;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when a state changes,
+/// when it is large, or when the program asks for pixels.
+class Recorder {
+ public:
+  bool inside_begin_end() const { return inside_; }
+  bool has_pending() const { return !runs_.empty(); }
+
+  void begin(legacy_gl_context& context, GLenum mode);
+  void end(legacy_gl_context& context);
+
+  /// The hot path: the vertex takes the current values.
+  void vertex(legacy_gl_context& context, float x, float y, float z);
+  void vertex(legacy_gl_context& context, float x, float y, float z, float w);
+
+  /// Room for `count` vertices of one primitive, laid out as layout() says; for client arrays.
+  float* append(legacy_gl_context& context, GLenum mode, std::uint32_t count);
+
+  /// From here on vertices carry these material properties; those recorded before get the values of now.
+  void carry_materials(legacy_gl_context& context, MaterialMask mask);
+
+  const VertexLayout& layout() const { return layout_; }
+  const VertexOffsets& offsets() const { return offsets_; }
+  const float* data() const { return storage_.get(); }
+  std::uint32_t vertex_count() const {
+    return static_cast<std::uint32_t>(cursor_ - storage_.get()) / (offsets_.stride ? offsets_.stride : 1);
+  }
+  const std::vector<PrimitiveRun>& runs() const { return runs_; }
+
+  /// Forgets the batch; the storage stays.
+  void clear();
+
+  /// The layout that the present state asks for.
+  static VertexLayout relevant_layout(const legacy_gl_context& context);
+
+ private:
+  void start_batch(const legacy_gl_context& context);
+  void reserve(std::uint32_t more_vertices);
+  void widen(const legacy_gl_context& context, const VertexLayout& layout);
+  float* emit(legacy_gl_context& context);
+  void close_run(legacy_gl_context& context, GLenum mode, std::uint32_t first);
+
+  float* cursor_ = nullptr;
+  float* limit_ = nullptr;
+  bool inside_ = false;
+  VertexLayout layout_;
+  VertexOffsets offsets_;
+  GLenum mode_ = GL_POINTS;
+  std::uint32_t first_ = 0;
+  std::unique_ptr<float[]> storage_;
+  std::size_t capacity_floats_ = 0;
+  std::vector<PrimitiveRun> runs_;
+};
+
+/// Vertices at the end of a run that complete no primitive are dropped (GL 2.1 spec 2.6.1).
+std::uint32_t whole_primitives(GLenum mode, std::uint32_t count);
+
+}  // namespace legacy_gl

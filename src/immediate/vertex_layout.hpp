@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+
+#include "lighting/material.hpp"
+
+namespace legacy_gl {
+
+/// What a recorded vertex holds beside its position, in this order. The position has three floats, or four where a w
+/// other than 1 was given.
+enum VertexField : std::uint8_t {
+  kFieldPositionW = 1,
+  kFieldNormal = 2,          ///< 3 floats
+  kFieldColor = 4,           ///< 4 floats
+  kFieldSecondaryColor = 8,  ///< 3 floats
+};
+
+struct VertexLayout {
+  std::uint8_t fields = 0;
+  MaterialMask materials = 0;  ///< properties changed inside Begin/End: 4 floats each, shininess 1
+  bool operator==(const VertexLayout&) const = default;
+};
+
+/// Offset in floats of each field, and of the material properties that are present.
+struct VertexOffsets {
+  unsigned position_size = 3;
+  unsigned normal = 0, color = 0, secondary_color = 0;
+  unsigned materials[2 * kPropertyCount] = {};
+  unsigned stride = 0;  ///< in floats
+};
+
+constexpr unsigned material_size(unsigned property) { return property == kShininess ? 1 : 4; }
+
+inline VertexOffsets offsets_of(const VertexLayout& layout) {
+  VertexOffsets offsets;
+  offsets.position_size = layout.fields & kFieldPositionW ? 4 : 3;
+  unsigned at = offsets.position_size;
+  const auto take = [&at](unsigned& offset, unsigned size) {
+    offset = at;
+    at += size;
+  };
+  if (layout.fields & kFieldNormal) take(offsets.normal, 3);
+  if (layout.fields & kFieldColor) take(offsets.color, 4);
+  if (layout.fields & kFieldSecondaryColor) take(offsets.secondary_color, 3);
+  for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
+    if (layout.materials & (1u << i)) take(offsets.materials[i], material_size(i % kPropertyCount));
+  offsets.stride = at;
+  return offsets;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,67 @@
+#include "matrix/lighting_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace legacy_gl {
+
+namespace {
+
+/// Lighting in object space is as exact as the angles that the modelview keeps: at 1e-8 the error stays below the
+/// rounding of the float32 normals. Float32 rotation matrices that a program computed itself fall outside.
+constexpr double kAngleTolerance = 1e-8;
+
+double largest_entry(const glm::dmat3& m) {
+  double largest = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+  return largest;
+}
+
+}  // namespace
+
+LinearPart analyse(const glm::dmat3& matrix) {
+  LinearPart part;
+  part.matrix = matrix;
+  const double largest = largest_entry(matrix);
+  if (!(largest > 0) || !std::isfinite(largest)) {
+    part.keeps_angles = false;
+    part.cofactor = part.inverse_transpose = glm::dmat3(0.0);
+    part.rescale_factor = 0;
+    return part;
+  }
+  // An exact power of two brings the entries near 1, so that no product of three leaves the range.
+  const double power = std::exp2(-std::floor(std::log2(largest)));
+  const glm::dmat3 m = matrix * power;
+  const glm::dvec3 x = m[0], y = m[1], z = m[2];
+  const double squared = glm::dot(x, x);
+  const double tolerance = kAngleTolerance * squared;
+  part.keeps_angles = std::abs(glm::dot(y, y) - squared) <= tolerance &&
+                      std::abs(glm::dot(z, z) - squared) <= tolerance &&
+                      std::abs(glm::dot(x, y)) <= tolerance &&
+                      std::abs(glm::dot(y, z)) <= tolerance &&
+                      std::abs(glm::dot(z, x)) <= tolerance;
+  part.scale = std::sqrt(squared) / power;
+  part.cofactor = glm::dmat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+  const double determinant = glm::dot(x, part.cofactor[0]);
+  part.determinant_sign = determinant < 0 ? -1 : 1;
+  if (determinant != 0) {
+    part.inverse_transpose = part.cofactor * (power / determinant);
+    // The third row of the inverse is the third column of its transpose.
+    part.rescale_factor = 1 / glm::length(part.inverse_transpose[2]);
+  } else {
+    part.inverse_transpose = glm::dmat3(0.0);
+    part.rescale_factor = 0;
+  }
+  if (const double cofactor_size = largest_entry(part.cofactor); cofactor_size > 0)
+    part.cofactor *= std::exp2(-std::floor(std::log2(cofactor_size)));
+  return part;
+}
+
+bool is_affine(const glm::dmat4& m) {
+  return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+}
+
+}  // namespace legacy_gl

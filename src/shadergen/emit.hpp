@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include "shadergen/program_key.hpp"
+#include "shadergen/writer.hpp"
+
+namespace legacy_gl {
+
+/// The first lines: the version, the key in words, default precision.
+void emit_header(Writer& w, const ProgramKey& key, Dialect dialect, const char* stage);
+
+/// The uniform blocks that lighting reads, and the structs in them.
+void emit_lighting_blocks(Writer& w, const ProgramKey& key);
+
+/// Functions that lighting calls: unit vectors, powers.
+void emit_lighting_functions(Writer& w, const ProgramKey& key);
+
+/// Statements that turn `position` and `normal` into `vertex` and `n` in lighting space.
+void emit_lighting_space(Writer& w, const ProgramKey& key);
+
+/// Statements that sum the lights: leaves vec4 front_lit, and back_lit, front_specular, back_specular where the key
+/// has them. Reads `vertex` and `n`.
+void emit_lights(Writer& w, const ProgramKey& key);
+
+/// The material property of a face as a GLSL expression: "" where it is in the blocks' products already.
+std::string material_expression(const ProgramKey& key, unsigned face, unsigned property);
+
+}  // namespace legacy_gl

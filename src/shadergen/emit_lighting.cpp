@@ -1,0 +1,184 @@
+#include "shadergen/attributes.hpp"
+#include "shadergen/emit.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+enum Property : unsigned { kAmbient, kDiffuse, kSpecular, kEmission, kShininess };
+
+constexpr const char* kSide[2] = {"front", "back"};
+
+unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
+
+/// A light's colour for one term on one face, times the material where it comes with the vertex.
+std::string product(const ProgramKey& key, unsigned face, unsigned property, const char* term,
+                    const std::string& index) {
+  std::string text = std::string(kSide[face]) + "_products[" + index + "]." + term + ".rgb";
+  if (const std::string material = material_expression(key, face, property); !material.empty())
+    text += " * " + material + ".rgb";
+  return text;
+}
+
+void emit_scene(Writer& w, const ProgramKey& key, unsigned face) {
+  const std::string side = kSide[face];
+  std::string sum = side + "_scene.rgb";
+  if (const auto ambient = material_expression(key, face, kAmbient); !ambient.empty())
+    sum += " + " + side + "_ambient_light.rgb * " + ambient + ".rgb";
+  if (const auto emission = material_expression(key, face, kEmission); !emission.empty())
+    sum += " + " + emission + ".rgb";
+  w.line("vec3 " + side + "_sum = " + sum + ";");
+  if (key.separate_specular) w.line("vec3 " + side + "_specular_sum = vec3(0.0);");
+}
+
+/// GL 2.1 spec 2.14.1: the vector to the light, attenuation and spot factor.
+void emit_point_geometry(Writer& w, std::uint8_t kind, const std::string& light) {
+  w.line("vec3 delta = " + light + ".position.xyz - vertex;");
+  w.line("float distance_squared = max(dot(delta, delta), 1e-37);");
+  w.line("float inverse_distance = inversesqrt(distance_squared);");
+  w.line("vec3 to_light = delta * inverse_distance;");
+  if (kind & kLightAttenuated) {
+    w.line("vec3 k = " + light + ".attenuation.xyz;");
+    w.line(
+        "float strength = 1.0 / max(k.x + k.y * (distance_squared * inverse_distance) + k.z * "
+        "distance_squared, 1e-37);");
+  }
+  if (kind & kLightSpot) {
+    const std::string target = kind & kLightAttenuated ? "strength *= " : "float strength = ";
+    // The chord form keeps its digits where the cosine, near 1, loses them.
+    w.line("vec3 chord = to_light + " + light + ".spot_direction.xyz;");
+    w.line("float one_minus_cosine = 0.5 * dot(chord, chord);");
+    const std::string inside =
+        kind & kLightSpotExponent
+            ? "power(max(1.0 - one_minus_cosine, 0.0), " + light + ".attenuation.w)"
+            : "1.0";
+    w.line(target + "one_minus_cosine <= " + light + ".spot_direction.w ? " + inside + " : 0.0;");
+  }
+}
+
+void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
+                      const std::string& light) {
+  if (key.local_viewer)
+    w.line("float n_dot_h = dot(n, unit(to_light + to_viewer));");
+  else if (kind & kLightPoint)
+    w.line("float n_dot_h = dot(n, unit(to_light + viewer.xyz));");
+  else
+    w.line("float n_dot_h = dot(n, " + light + ".half_vector.xyz);");
+}
+
+std::string shine(const ProgramKey& key, unsigned face) {
+  const std::string cosine = face ? "-n_dot_h" : "n_dot_h";
+  if (key.integer_shininess[face] != kGeneralShininess)
+    return std::string(kSide[face]) + "_shine(" + cosine + ")";
+  return "power(max(" + cosine + ", 0.0), " +
+         (key.material[face][kShininess] == MaterialSource::kVertex
+              ? std::string(kMaterialAttributeNames[face][kShininess])
+              : std::string(kSide[face]) + "_ambient_light.w") +
+         ")";
+}
+
+void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned face,
+                const std::string& index) {
+  const std::string side = kSide[face];
+  const bool scaled = (kind & (kLightAttenuated | kLightSpot)) != 0;
+  const std::string n_dot_l = face ? "-n_dot_l" : "n_dot_l";
+  const std::string facing = face ? "n_dot_l < 0.0" : "n_dot_l > 0.0";
+  std::string sum;
+  if (kind & kLightAmbient) sum = product(key, face, kAmbient, "ambient", index);
+  if (kind & kLightDiffuse) {
+    if (!sum.empty()) sum += " + ";
+    sum += "max(" + n_dot_l + ", 0.0) * " + product(key, face, kDiffuse, "diffuse", index);
+  }
+  if (kind & kLightSpecular) {
+    const std::string specular = "(" + facing + " ? " + shine(key, face) + " : 0.0) * " +
+                                 product(key, face, kSpecular, "specular", index);
+    if (key.separate_specular) {
+      w.line(side + "_specular_sum += " + (scaled ? "strength * (" + specular + ")" : specular) +
+             ";");
+    } else {
+      if (!sum.empty()) sum += " + ";
+      sum += specular;
+    }
+  }
+  if (!sum.empty())
+    w.line(side + "_sum += " + (scaled ? "strength * (" + sum + ")" : sum) + ";");
+}
+
+void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& index) {
+  const std::string light = "lights[" + index + "]";
+  if (kind & kLightPoint)
+    emit_point_geometry(w, kind, light);
+  else
+    w.line("vec3 to_light = " + light + ".position.xyz;");
+  if (kind & (kLightDiffuse | kLightSpecular)) w.line("float n_dot_l = dot(n, to_light);");
+  if (kind & kLightSpecular) emit_half_vector(w, key, kind, light);
+  for (unsigned face = 0; face < face_count(key); ++face) emit_terms(w, key, kind, face, index);
+}
+
+}  // namespace
+
+std::string material_expression(const ProgramKey& key, unsigned face, unsigned property) {
+  switch (key.material[face][property]) {
+    case MaterialSource::kUniform: return "";
+    case MaterialSource::kColor: return "color";
+    case MaterialSource::kVertex: return kMaterialAttributeNames[face][property];
+  }
+  return "";
+}
+
+void emit_lighting_space(Writer& w, const ProgramKey& key) {
+  switch (key.space) {
+    case LightingSpace::kObject: w.line("vec3 vertex = position.xyz;"); break;
+    case LightingSpace::kEyeAxes: w.line("vec3 vertex = mat3(modelview) * position.xyz;"); break;
+    case LightingSpace::kEyeHomogeneous:
+      w.line("vec4 position_eye = modelview * position;");
+      w.line("vec3 vertex = position_eye.xyz / position_eye.w;");
+      break;
+  }
+  const std::string normal =
+      key.space == LightingSpace::kObject ? "normal" : "normal_matrix * normal";
+  switch (key.normal) {
+    case NormalMode::kAsIs: w.line("vec3 n = normal;"); break;
+    case NormalMode::kScaled: w.line("vec3 n = viewer.w * normal;"); break;
+    case NormalMode::kMatrix: w.line("vec3 n = normal_matrix * normal;"); break;
+    case NormalMode::kNormalize: w.line("vec3 n = unit(" + normal + ");"); break;
+  }
+}
+
+void emit_lights(Writer& w, const ProgramKey& key) {
+  for (unsigned face = 0; face < face_count(key); ++face) emit_scene(w, key, face);
+  if (key.local_viewer) w.line("vec3 to_viewer = unit(viewer.xyz - vertex);");
+
+  // Eight lights unroll; more loop, a kind at a time.
+  const bool unroll = key.light_count() <= 8;
+  unsigned first = 0;
+  for (const LightRun& run : key.lights) {
+    if (run.count == 0) break;
+    const unsigned end = first + run.count;
+    if (unroll) {
+      for (unsigned i = first; i < end; ++i) {
+        w.open("{");
+        emit_light(w, key, run.kind, std::to_string(i));
+        w.close();
+      }
+    } else {
+      w.open("for (int i = " + std::to_string(first) + "; i < " + std::to_string(end) +
+             "; ++i) {");
+      emit_light(w, key, run.kind, "i");
+      w.close();
+    }
+    first = end;
+  }
+
+  for (unsigned face = 0; face < face_count(key); ++face) {
+    const std::string side = kSide[face];
+    const std::string diffuse = material_expression(key, face, kDiffuse);
+    const std::string alpha = diffuse.empty() ? side + "_scene.a" : diffuse + ".a";
+    // GL 2.1 spec 2.14.6: colours are clamped before they are interpolated.
+    w.line("vec4 " + side + "_lit = clamp(vec4(" + side + "_sum, " + alpha + "), 0.0, 1.0);");
+    if (key.separate_specular)
+      w.line("vec3 " + side + "_specular = clamp(" + side + "_specular_sum, 0.0, 1.0);");
+  }
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,115 @@
+#include "shadergen/generate.hpp"
+
+#include "shadergen/attributes.hpp"
+#include "shadergen/emit.hpp"
+#include "shadergen/uniform_blocks.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+bool has_secondary(const ProgramKey& key) {
+  return key.separate_specular || key.secondary_from_vertex;
+}
+
+bool reads_color(const ProgramKey& key) {
+  if (!key.lit) return true;
+  for (const auto& face : key.material)
+    for (const MaterialSource source : face)
+      if (source == MaterialSource::kColor) return true;
+  return false;
+}
+
+void emit_input(Writer& w, unsigned location, const std::string& type, const std::string& name) {
+  w.line("layout(location = " + std::to_string(location) + ") in " + type + " " + name + ";");
+}
+
+void emit_inputs(Writer& w, const ProgramKey& key) {
+  emit_input(w, kLocationPosition, "vec4", "position");
+  if (key.lit) emit_input(w, kLocationNormal, "vec3", "normal");
+  if (reads_color(key)) emit_input(w, kLocationColor, "vec4", "color");
+  if (key.secondary_from_vertex)
+    emit_input(w, kLocationSecondaryColor, "vec3", "secondary_color");
+  for (unsigned face = 0; face < 2; ++face)
+    for (unsigned property = 0; property < 5; ++property)
+      if (key.material[face][property] == MaterialSource::kVertex)
+        emit_input(w, kLocationMaterial + face * 5 + property, property == 4 ? "float" : "vec4",
+                   kMaterialAttributeNames[face][property]);
+  w.blank();
+}
+
+/// What goes from the vertex to the fragment: the colours of both faces, and secondary colours.
+void emit_varyings(Writer& w, const ProgramKey& key, const char* direction) {
+  const std::string start = std::string(key.flat ? "flat " : "") + direction;
+  w.line(start + " vec4 front_color;");
+  if (key.two_side) w.line(start + " vec4 back_color;");
+  if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
+  if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
+}
+
+std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
+  Writer w;
+  emit_header(w, key, dialect, "vertex");
+  w.raw(kTransformBlockText);
+  w.blank();
+  if (key.lit) emit_lighting_blocks(w, key);
+  emit_inputs(w, key);
+  emit_varyings(w, key, "out");
+  // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own depth.
+  w.line("invariant gl_Position;");
+  w.blank();
+  if (key.lit) emit_lighting_functions(w, key);
+  w.open("void main() {");
+  w.line("gl_Position = modelview_projection * position;");
+  if (key.point_size) w.line("gl_PointSize = point.x;");
+  if (key.lit) {
+    emit_lighting_space(w, key);
+    emit_lights(w, key);
+    w.line("front_color = front_lit;");
+    if (key.two_side) w.line("back_color = back_lit;");
+    if (key.separate_specular) w.line("front_secondary = front_specular;");
+    if (key.separate_specular && key.two_side) w.line("back_secondary = back_specular;");
+  } else {
+    w.line("front_color = clamp(color, 0.0, 1.0);");
+    if (key.secondary_from_vertex) w.line("front_secondary = clamp(secondary_color, 0.0, 1.0);");
+  }
+  w.close();
+  return w.text();
+}
+
+std::string fragment_shader(const ProgramKey& key, Dialect dialect) {
+  Writer w;
+  emit_header(w, key, dialect, "fragment");
+  emit_varyings(w, key, "in");
+  w.blank();
+  w.line("layout(location = 0) out vec4 fragment_color;");
+  w.blank();
+  w.open("void main() {");
+  std::string color = "front_color", secondary = "front_secondary";
+  if (key.two_side && key.back_only) {
+    color = "back_color";
+    secondary = "back_secondary";
+  } else if (key.two_side) {
+    w.line("vec4 color = gl_FrontFacing ? front_color : back_color;");
+    color = "color";
+    if (has_secondary(key)) {
+      w.line("vec3 secondary = gl_FrontFacing ? front_secondary : back_secondary;");
+      secondary = "secondary";
+    }
+  }
+  if (has_secondary(key))  // GL 2.1 spec 3.9, "color sum"
+    w.line("fragment_color = vec4(min(" + color + ".rgb + " + secondary + ", 1.0), " + color +
+           ".a);");
+  else
+    w.line("fragment_color = " + color + ";");
+  w.close();
+  return w.text();
+}
+
+}  // namespace
+
+ProgramSource generate(const ProgramKey& key, Dialect dialect) {
+  return {vertex_shader(key, dialect), fragment_shader(key, dialect)};
+}
+
+}  // namespace legacy_gl

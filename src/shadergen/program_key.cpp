@@ -1,0 +1,87 @@
+#include "shadergen/program_key.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+void mix(std::size_t& hash, std::size_t value) {
+  hash = (hash ^ value) * 0x100000001b3ull;  // FNV-1a, a field at a time
+}
+
+void append(std::string& text, const std::string& words) {
+  if (!text.empty()) text += ", ";
+  text += words;
+}
+
+std::string describe_kind(std::uint8_t kind) {
+  std::string text;
+  if (!(kind & kLightPoint)) text = "directional";
+  else if (kind & kLightSpot) text = kind & kLightSpotExponent ? "spot" : "spot without exponent";
+  else text = "point";
+  if (kind & kLightAttenuated) text = "attenuated " + text;
+  text += " (";
+  if (kind & kLightAmbient) text += "a";
+  if (kind & kLightDiffuse) text += "d";
+  if (kind & kLightSpecular) text += "s";
+  return text + ")";
+}
+
+}  // namespace
+
+std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
+  std::size_t hash = 0xcbf29ce484222325ull;
+  const bool flags[] = {key.lit,         key.flat,          key.secondary_from_vertex,
+                        key.two_side,    key.local_viewer,  key.separate_specular,
+                        key.position4,   key.point_size,    key.per_fragment,
+                        key.back_only};
+  std::size_t bits = 0;
+  for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
+  mix(hash, bits);
+  mix(hash, static_cast<std::size_t>(key.space) << 8 | static_cast<std::size_t>(key.normal));
+  for (const auto& face : key.material)
+    for (const MaterialSource source : face) mix(hash, static_cast<std::size_t>(source));
+  for (const std::uint8_t shininess : key.integer_shininess) mix(hash, shininess);
+  for (const LightRun& run : key.lights)
+    mix(hash, static_cast<std::size_t>(run.kind) << 16 | run.count);
+  return hash;
+}
+
+std::string describe(const ProgramKey& key) {
+  std::string text;
+  if (!key.lit) append(text, "unlit");
+  for (const LightRun& run : key.lights)
+    if (run.count) append(text, std::to_string(run.count) + " " + describe_kind(run.kind));
+  if (key.lit && key.light_count() == 0) append(text, "lit by no light");
+  if (key.lit) {
+    switch (key.space) {
+      case LightingSpace::kObject: append(text, "in object space"); break;
+      case LightingSpace::kEyeAxes: append(text, "in eye axes"); break;
+      case LightingSpace::kEyeHomogeneous: append(text, "in eye coordinates, V/w"); break;
+    }
+  }
+  if (key.normal == NormalMode::kNormalize) append(text, "normalize");
+  if (key.two_side) append(text, "two-sided");
+  if (key.local_viewer) append(text, "local viewer");
+  if (key.separate_specular) append(text, "separate specular");
+  static constexpr const char* kProperties[] = {"ambient", "diffuse", "specular", "emission",
+                                                "shininess"};
+  for (unsigned face = 0; face < 2; ++face)
+    for (unsigned property = 0; property < 5; ++property)
+      if (const MaterialSource source = key.material[face][property];
+          source != MaterialSource::kUniform)
+        append(text, std::string(face ? "back " : "front ") + kProperties[property] +
+                         (source == MaterialSource::kColor ? " from colour" : " per vertex"));
+  for (unsigned face = 0; face < 2; ++face)
+    if (key.integer_shininess[face] && key.integer_shininess[face] != kGeneralShininess)
+      append(text, std::string(face ? "back " : "") + "shininess " +
+                       std::to_string(key.integer_shininess[face]));
+  if (key.secondary_from_vertex) append(text, "colour sum");
+  if (key.flat) append(text, "flat");
+  if (key.per_fragment) append(text, "per fragment");
+  if (key.position4) append(text, "vertex w");
+  if (key.point_size) append(text, "points");
+  if (key.back_only) append(text, "back faces");
+  return text;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace legacy_gl {
+
+/// The GLSL a driver speaks. Not part of the key: one context has one dialect.
+enum class Dialect : std::uint8_t { kCore330, kEs300 };
+
+/// Facts about one light that choose code. Lights of the same kind are neighbours in the blocks and in the GLSL.
+enum LightKindBit : std::uint8_t {
+  kLightPoint = 1,         ///< has a position; otherwise a direction
+  kLightAttenuated = 2,    ///< 1/(k0 + k1 d + k2 d²) varies with d
+  kLightSpot = 4,          ///< point light with a cone
+  kLightSpotExponent = 8,  ///< cone with an exponent other than 0
+  kLightAmbient = 16,      ///< its ambient term is not zero and not folded into the scene colour
+  kLightDiffuse = 32,      ///< its diffuse term is not zero
+  kLightSpecular = 64      ///< its specular term is not zero
+};
+
+/// `count` neighbouring lights of one kind; count 0 ends the list.
+struct LightRun {
+  std::uint8_t kind = 0;
+  std::uint16_t count = 0;
+  bool operator==(const LightRun&) const = default;
+};
+inline constexpr unsigned kMaxLightRuns = 8;
+
+/// Where normals, positions and lights meet.
+enum class LightingSpace : std::uint8_t {
+  kObject,         ///< the modelview preserves angles: lights were brought to the object
+  kEyeAxes,        ///< eye axes with the object's origin: no large translation to round away
+  kEyeHomogeneous  ///< eye coordinates with V/w: vertex w or a perspective modelview
+};
+
+enum class NormalMode : std::uint8_t {
+  kAsIs,      ///< object space, no scale
+  kScaled,    ///< object space, uniform scale
+  kMatrix,    ///< normal matrix (the rescale factor is in it)
+  kNormalize  ///< made unit length in the shader; in eye axes after the normal matrix
+};
+
+/// Where a material property comes from.
+enum class MaterialSource : std::uint8_t { kUniform, kColor, kVertex };
+
+/// Everything that chooses the text of a program, and nothing else. Normalised: a field that cannot matter is zero.
+struct ProgramKey {
+  bool lit = false;
+  bool flat = false;
+  bool secondary_from_vertex = false;  ///< unlit with GL_COLOR_SUM
+  bool two_side = false;
+  bool local_viewer = false;
+  bool separate_specular = false;
+  bool position4 = false;   ///< the position attribute has a w
+  bool point_size = false;  ///< the dialect wants gl_PointSize
+  bool per_fragment = false;
+  bool back_only = false;  ///< unfilled back faces: every primitive of the draw takes the back colour
+  LightingSpace space = LightingSpace::kObject;
+  NormalMode normal = NormalMode::kAsIs;
+  /// [face][ambient, diffuse, specular, emission, shininess]
+  std::array<std::array<MaterialSource, 5>, 2> material{};
+  /// Shininess of each face: 0…128 is raised by repeated squaring, kGeneralShininess by exp2 and log2.
+  std::array<std::uint8_t, 2> integer_shininess{};
+  std::array<LightRun, kMaxLightRuns> lights{};
+  bool operator==(const ProgramKey&) const = default;
+
+  unsigned light_count() const {
+    unsigned total = 0;
+    for (const LightRun& run : lights) total += run.count;
+    return total;
+  }
+};
+
+inline constexpr std::uint8_t kGeneralShininess = 255;
+
+struct ProgramKeyHash {
+  std::size_t operator()(const ProgramKey& key) const noexcept;
+};
+
+/// The key in words, as line 1 of the GLSL says it.
+std::string describe(const ProgramKey& key);
+
+}  // namespace legacy_gl

@@ -1,0 +1,70 @@
+#pragma once
+// Each uniform block: the C++ struct and its std140 text side by side. Sizes and offsets are checked here and, in the
+// tests, against the linked program.
+#include <array>
+#include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+namespace legacy_gl {
+
+inline constexpr unsigned kMaxLights = 256;
+
+enum UniformBlock : unsigned { kTransformBlock, kLightsBlock, kFrontBlock, kBackBlock, kUniformBlockCount };
+inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
+    "Transform", "Lights", "FrontMaterial", "BackMaterial"};
+
+struct TransformUniforms {
+  glm::mat4 modelview_projection{1.0f};
+  glm::mat4 modelview{1.0f};
+  std::array<glm::vec4, 3> normal_matrix{};
+  glm::vec4 viewer{0};  ///< xyz: the eye in lighting space; w: scale of the normals
+  glm::vec4 point{1, 0, 0, 0};  ///< x: point size in pixels
+};
+inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Transform {
+  mat4 modelview_projection;
+  mat4 modelview;     // object to lighting space
+  mat3 normal_matrix;
+  vec4 viewer;        // xyz: the eye in lighting space, w: scale of the normals
+  vec4 point;         // x: point size in pixels
+};
+)";
+static_assert(offsetof(TransformUniforms, normal_matrix) == 128);
+static_assert(offsetof(TransformUniforms, viewer) == 176);
+static_assert(sizeof(TransformUniforms) == 208);
+
+struct LightUniforms {
+  glm::vec4 position{0};     ///< lighting space; a directional light: the unit vector to it
+  glm::vec4 half_vector{0};  ///< directional with an infinite viewer: unit half vector
+  glm::vec4 attenuation{1, 0, 0, 0};     ///< k0, k1, k2 for distances in lighting space; w: spot exponent
+  glm::vec4 spot_direction{0, 0, -1, 2};  ///< unit; w: 2 sin^2(cutoff/2)
+};
+inline constexpr const char* kLightStructText = R"(struct Light {
+  vec4 position;        // in lighting space; directional: the unit vector to the light
+  vec4 half_vector;     // directional, infinite viewer: the unit half vector
+  vec4 attenuation;     // xyz: k0, k1, k2; w: spot exponent
+  vec4 spot_direction;  // xyz: unit vector; w: 2 sin^2(cutoff / 2)
+};
+)";
+static_assert(sizeof(LightUniforms) == 64);
+
+/// A light's colours times the material's; the light's own colour where the material comes with the vertex.
+struct LightProducts {
+  glm::vec4 ambient{0}, diffuse{0}, specular{0};
+};
+static_assert(sizeof(LightProducts) == 48);
+
+/// What heads FrontMaterial and BackMaterial; LightProducts of each light follow.
+struct MaterialUniforms {
+  glm::vec4 scene{0};          ///< rgb: all that no light direction changes; a: alpha
+  glm::vec4 ambient_light{0};  ///< rgb: ambient light that a per-vertex ambient material takes; w: shininess
+};
+inline constexpr const char* kProductsStructText = R"(struct Products {  // light times material
+  vec4 ambient;
+  vec4 diffuse;
+  vec4 specular;
+};
+)";
+static_assert(sizeof(MaterialUniforms) == 32);
+
+}  // namespace legacy_gl

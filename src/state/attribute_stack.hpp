@@ -1,0 +1,7 @@
+#pragma once
+
+namespace legacy_gl {
+
+struct AttributeStacks {};
+
+}  // namespace legacy_gl

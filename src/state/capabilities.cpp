@@ -1,0 +1,113 @@
+#include "state/capabilities.hpp"
+
+#include <cstdio>
+
+#include "lighting/setters.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// The capabilities that are one flag of the raster state.
+bool* raster_flag(RasterState& raster, GLenum capability) {
+  switch (capability) {
+    case GL_DEPTH_TEST: return &raster.depth.test_enabled;
+    case GL_STENCIL_TEST: return &raster.stencil.test_enabled;
+    case GL_BLEND: return &raster.color_buffer.blend_enabled;
+    case GL_COLOR_LOGIC_OP: return &raster.color_buffer.logic_op_enabled;
+    case GL_INDEX_LOGIC_OP: return &raster.color_buffer.index_logic_op_enabled;
+    case GL_DITHER: return &raster.color_buffer.dither_enabled;
+    case GL_CULL_FACE: return &raster.polygon.cull_enabled;
+    case GL_POLYGON_OFFSET_FILL: return &raster.polygon.offset_fill_enabled;
+    case GL_POLYGON_OFFSET_LINE: return &raster.polygon.offset_line_enabled;
+    case GL_POLYGON_OFFSET_POINT: return &raster.polygon.offset_point_enabled;
+    case GL_POLYGON_SMOOTH: return &raster.polygon.smooth_enabled;
+    case GL_POINT_SMOOTH: return &raster.point.smooth_enabled;
+    case GL_LINE_SMOOTH: return &raster.line.smooth_enabled;
+    case GL_SCISSOR_TEST: return &raster.scissor.test_enabled;
+    case GL_MULTISAMPLE: return &raster.multisample.enabled;
+    case GL_SAMPLE_ALPHA_TO_COVERAGE: return &raster.multisample.alpha_to_coverage;
+    case GL_SAMPLE_ALPHA_TO_ONE: return &raster.multisample.alpha_to_one;
+    case GL_SAMPLE_COVERAGE: return &raster.multisample.coverage;
+    default: return nullptr;
+  }
+}
+
+}  // namespace
+
+bool is_unbuilt_capability(GLenum capability) {
+  switch (capability) {
+    case GL_ALPHA_TEST:
+    case GL_FOG:
+    case GL_TEXTURE_1D:
+    case GL_TEXTURE_2D:
+    case GL_TEXTURE_3D:
+    case GL_TEXTURE_CUBE_MAP:
+    case GL_TEXTURE_GEN_S:
+    case GL_TEXTURE_GEN_T:
+    case GL_TEXTURE_GEN_R:
+    case GL_TEXTURE_GEN_Q:
+    case GL_LINE_STIPPLE:
+    case GL_POLYGON_STIPPLE:
+    case GL_POINT_SMOOTH:
+    case GL_AUTO_NORMAL: return true;
+    default:
+      return (capability >= GL_CLIP_PLANE0 && capability <= GL_CLIP_PLANE5) ||
+             (capability >= GL_MAP1_COLOR_4 && capability <= GL_MAP1_VERTEX_4) ||
+             (capability >= GL_MAP2_COLOR_4 && capability <= GL_MAP2_VERTEX_4);
+  }
+}
+
+bool set_capability(Context& context, GLenum capability, bool enabled) {
+  const GLenum light = capability - GL_LIGHT0;
+  if (light < context.lighting.lights.size()) {
+    enable_light(context, light, enabled);
+    return true;
+  }
+  switch (capability) {
+    case GL_LIGHTING: enable_lighting(context, enabled); return true;
+    case GL_COLOR_MATERIAL: enable_color_material(context, enabled); return true;
+    case GL_NORMALIZE:
+      assign(context, context.transform.normalize_enabled, enabled, kDirtyTransform);
+      return true;
+    case GL_RESCALE_NORMAL:
+      assign(context, context.transform.rescale_normal_enabled, enabled, kDirtyTransform);
+      return true;
+    case GL_COLOR_SUM: assign(context, context.color_sum_enabled, enabled, kDirtyKey); return true;
+    default: break;
+  }
+  if (is_unbuilt_capability(capability)) {
+    if (!enabled) return true;
+    char name[64];
+    std::snprintf(name, sizeof name, "glEnable(0x%04X) is not built yet", capability);
+    diagnose(context, name);
+    raise_error(context, GL_INVALID_OPERATION);
+    return true;
+  }
+  bool* const flag = raster_flag(context.raster, capability);
+  if (!flag) return false;
+  const std::uint32_t key = capability == GL_CULL_FACE ? std::uint32_t{kDirtyKey} : 0u;
+  assign(context, *flag, enabled, kDirtyRaster | key);
+  return true;
+}
+
+bool capability_enabled(const Context& context, GLenum capability, bool& known) {
+  known = true;
+  const GLenum light = capability - GL_LIGHT0;
+  if (light < context.lighting.lights.size()) return context.lighting.lights[light].enabled;
+  switch (capability) {
+    case GL_LIGHTING: return context.lighting.enabled;
+    case GL_COLOR_MATERIAL: return context.lighting.color_material.enabled;
+    case GL_NORMALIZE: return context.transform.normalize_enabled;
+    case GL_RESCALE_NORMAL: return context.transform.rescale_normal_enabled;
+    case GL_COLOR_SUM: return context.color_sum_enabled;
+    default: break;
+  }
+  if (is_unbuilt_capability(capability)) return false;
+  RasterState raster = context.raster;
+  const bool* const flag = raster_flag(raster, capability);
+  known = flag != nullptr;
+  return flag && *flag;
+}
+
+}  // namespace legacy_gl

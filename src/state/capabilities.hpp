@@ -1,0 +1,15 @@
+#pragma once
+#include "state/context.hpp"
+
+namespace legacy_gl {
+
+/// glEnable, glDisable (GL 2.1 spec 2.1, appendix): false for a capability that GL 1.5 does not have.
+bool set_capability(Context& context, GLenum capability, bool enabled);
+
+/// What glIsEnabled answers; false in `known` for a capability that GL 1.5 does not have.
+bool capability_enabled(const Context& context, GLenum capability, bool& known);
+
+/// GL 1.5 has it, this library does not build it yet: enabling one is refused, loudly.
+bool is_unbuilt_capability(GLenum capability);
+
+}  // namespace legacy_gl

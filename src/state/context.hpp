@@ -1,0 +1,92 @@
+#pragma once
+#include <legacy_gl/context.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+#include <unordered_set>
+
+#include "dlist/list_state.hpp"
+#include "immediate/client_arrays.hpp"
+#include "immediate/recorder.hpp"
+#include "lighting/lighting_state.hpp"
+#include "matrix/matrix_stack.hpp"
+#include "state/attribute_stack.hpp"
+#include "state/current.hpp"
+#include "state/dirty.hpp"
+#include "state/raster.hpp"
+
+namespace legacy_gl {
+
+class Backend;
+
+/// GL 2.1 spec 2.11.2, 2.11.3, table 6.8: the transform group.
+struct TransformState {
+  GLenum matrix_mode = GL_MODELVIEW;
+  bool normalize_enabled = false;
+  bool rescale_normal_enabled = false;
+  MatrixStack modelview{32};
+  MatrixStack projection{32};
+  std::vector<MatrixStack> texture = std::vector<MatrixStack>(kMaxTextureUnits, MatrixStack(10));
+};
+
+}  // namespace legacy_gl
+
+/// All that one context remembers: GL's state by groups, what is recorded and not drawn yet, and the driver's side.
+struct legacy_gl_context {
+  explicit legacy_gl_context(const legacy_gl_options& chosen);
+  ~legacy_gl_context();
+
+  legacy_gl_options options;
+  GLenum error = GL_NO_ERROR;
+  std::uint32_t dirty = legacy_gl::kDirtyAll;
+
+  legacy_gl::CurrentValues current;
+  legacy_gl::Recorder recorder;
+  legacy_gl::LightingState lighting;
+  legacy_gl::TransformState transform;
+  legacy_gl::RasterState raster;
+  legacy_gl::HintState hints;
+  legacy_gl::PixelStore pack, unpack;
+  legacy_gl::ClientArrays arrays;
+  legacy_gl::AttributeStacks attribute_stacks;
+  legacy_gl::ListState lists;
+  bool color_sum_enabled = false;
+  unsigned active_texture = 0;         ///< unit that glMatrixMode(GL_TEXTURE) and its like address
+  unsigned client_active_texture = 0;
+
+  legacy_gl_statistics statistics{};
+  std::unordered_set<std::string> diagnostics_given;
+  std::unique_ptr<legacy_gl::Backend> backend;
+  std::thread::id current_in{};        ///< the thread in which it is current; default: none
+};
+
+namespace legacy_gl {
+
+using Context = ::legacy_gl_context;
+
+/// The context of this thread; nullptr when none is current.
+extern thread_local Context* current_context;
+
+/// The error that glGetError returns next: the first one sticks (GL 2.1 spec 2.5).
+void raise_error(Context& context, GLenum error);
+
+/// Says once for each message what a program asked for that this library does not do.
+void diagnose(Context& context, const std::string& message);
+
+/// Draws what is recorded. Every setter calls it before it stores a value that differs.
+void flush_pending(Context& context);
+
+/// The order of every setter: what was recorded under the old value is drawn, then the value is stored and its dirty
+/// bits raised. Returns *changed*.
+template <typename T, typename U>
+bool assign(Context& context, T& stored, const U& value, std::uint32_t dirty_bits) {
+  if (stored == value) return false;
+  flush_pending(context);
+  stored = value;
+  context.dirty |= dirty_bits;
+  return true;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,120 @@
+#pragma once
+#include <array>
+#include <glm/vec4.hpp>
+
+#include "state/gl_types.hpp"
+
+namespace legacy_gl {
+
+// The state that the core profile still has: we keep it so that glGet and the attribute stack need no
+// driver round trip, and hand it on when a draw, a clear or a read needs it.
+
+struct DepthState {
+  bool test_enabled = false;
+  GLenum function = GL_LESS;
+  bool write_mask = true;
+  double clear_value = 1;
+  bool operator==(const DepthState&) const = default;
+};
+
+struct StencilState {
+  bool test_enabled = false;
+  GLenum function = GL_ALWAYS;
+  GLint reference = 0;
+  GLuint value_mask = ~0u;
+  GLuint write_mask = ~0u;
+  GLenum fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
+  GLint clear_value = 0;
+  bool operator==(const StencilState&) const = default;
+};
+
+struct ColorBufferState {
+  bool blend_enabled = false;
+  GLenum blend_source_rgb = GL_ONE, blend_source_alpha = GL_ONE;
+  GLenum blend_destination_rgb = GL_ZERO, blend_destination_alpha = GL_ZERO;
+  GLenum blend_equation = GL_FUNC_ADD;
+  glm::vec4 blend_color{0};
+  bool logic_op_enabled = false;
+  GLenum logic_op = GL_COPY;
+  bool dither_enabled = true;
+  std::array<bool, 4> write_mask{true, true, true, true};
+  glm::vec4 clear_color{0};
+  float clear_index = 0;
+  GLuint index_mask = ~0u;
+  bool index_logic_op_enabled = false;
+  bool operator==(const ColorBufferState&) const = default;
+};
+
+struct PolygonState {
+  bool cull_enabled = false;
+  GLenum cull_face = GL_BACK;
+  GLenum front_face = GL_CCW;
+  GLenum front_mode = GL_FILL, back_mode = GL_FILL;
+  bool offset_fill_enabled = false, offset_line_enabled = false, offset_point_enabled = false;
+  float offset_factor = 0, offset_units = 0;
+  bool smooth_enabled = false;
+  bool operator==(const PolygonState&) const = default;
+};
+
+struct PointState {
+  float size = 1;
+  bool smooth_enabled = false;
+  bool operator==(const PointState&) const = default;
+};
+
+struct LineState {
+  float width = 1;
+  bool smooth_enabled = false;
+  bool operator==(const LineState&) const = default;
+};
+
+struct ScissorState {
+  bool test_enabled = false;
+  std::array<GLint, 4> box{};  ///< x, y, width, height in window coordinates
+  bool operator==(const ScissorState&) const = default;
+};
+
+struct ViewportState {
+  std::array<GLint, 4> box{};  ///< x, y, width, height in window coordinates
+  double depth_near = 0, depth_far = 1;
+  bool operator==(const ViewportState&) const = default;
+};
+
+struct MultisampleState {
+  bool enabled = true;
+  bool alpha_to_coverage = false, alpha_to_one = false, coverage = false;
+  float coverage_value = 1;
+  bool coverage_invert = false;
+  bool operator==(const MultisampleState&) const = default;
+};
+
+struct HintState {
+  GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE,
+         line_smooth = GL_DONT_CARE, polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE,
+         generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE,
+         phong = GL_DONT_CARE;
+  bool operator==(const HintState&) const = default;
+};
+
+/// Pixel store modes (GL 2.1 spec 3.6.1, table 3.1): client state.
+struct PixelStore {
+  GLint alignment = 4, row_length = 0, skip_rows = 0, skip_pixels = 0, image_height = 0,
+        skip_images = 0;
+  bool swap_bytes = false, lsb_first = false;
+  bool operator==(const PixelStore&) const = default;
+};
+
+struct RasterState {
+  DepthState depth;
+  StencilState stencil;
+  ColorBufferState color_buffer;
+  PolygonState polygon;
+  PointState point;
+  LineState line;
+  ScissorState scissor;
+  ViewportState viewport;
+  MultisampleState multisample;
+  bool operator==(const RasterState&) const = default;
+};
+
+}  // namespace legacy_gl
