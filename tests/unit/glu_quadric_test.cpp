@@ -116,18 +116,19 @@ constexpr Segments segment_counts[] = {{2, 1},  {2, 7},   {3, 2},   {4, 3},   {1
                                        {31, 7}, {17, 30}, {239, 2}, {300, 3}, {3, 300}};
 
 TEST_P(GluQuadric, SphereIsLibGlus) {
-  for (const auto& [slices, stacks] : segment_counts) {
-    expect_lib_glus(
-        [&](auto glu, GLUquadric* quadric) { glu.sphere(quadric, 1.7, slices, stacks); });
+  for (const Segments& count : segment_counts) {
+    expect_lib_glus([&](auto glu, GLUquadric* quadric) {
+      glu.sphere(quadric, 1.7, count.slices, count.stacks);
+    });
   }
   expect_lib_glus([](auto glu, GLUquadric* quadric) { glu.sphere(quadric, 0.0, 5, 4); });
 }
 
 TEST_P(GluQuadric, CylinderIsLibGlus) {
-  for (const auto& [slices, stacks] : segment_counts) {
+  for (const Segments& count : segment_counts) {
     for (const double top : {0.0, 0.3, 1.0, 1.7}) {
       expect_lib_glus([&](auto glu, GLUquadric* quadric) {
-        glu.cylinder(quadric, 1.0, top, 2.3, slices, stacks);
+        glu.cylinder(quadric, 1.0, top, 2.3, count.slices, count.stacks);
       });
     }
   }
@@ -135,10 +136,11 @@ TEST_P(GluQuadric, CylinderIsLibGlus) {
 }
 
 TEST_P(GluQuadric, DiskIsLibGlus) {
-  for (const auto& [slices, loops] : segment_counts) {
+  for (const Segments& count : segment_counts) {
     for (const double inner : {0.0, 0.3, 1.7}) {
-      expect_lib_glus(
-          [&](auto glu, GLUquadric* quadric) { glu.disk(quadric, inner, 1.7, slices, loops); });
+      expect_lib_glus([&](auto glu, GLUquadric* quadric) {
+        glu.disk(quadric, inner, 1.7, count.slices, count.stacks);
+      });
     }
   }
 }
@@ -172,30 +174,46 @@ void expect_same_errors(const Draw& draw) {
   EXPECT_EQ(ours[0].name, "error");
 }
 
-TEST(GluQuadricErrors, ArgumentsOfSurfaces) {
-  for (const auto& [radius, slices, stacks] : {std::tuple{-1.0, 4, 4}, {1.0, 1, 4}, {1.0, 4, 0}}) {
+TEST(GluQuadricErrors, ArgumentsOfSphere) {
+  struct Case {
+    double radius;
+    int slices, stacks;
+  };
+  for (const Case& c : {Case{-1, 4, 4}, {1, 1, 4}, {1, 4, 0}}) {
     expect_same_errors(
-        [&](auto glu, GLUquadric* quadric) { glu.sphere(quadric, radius, slices, stacks); });
+        [&](auto glu, GLUquadric* quadric) { glu.sphere(quadric, c.radius, c.slices, c.stacks); });
   }
-  for (const auto& [base, top, height, slices, stacks] : {std::tuple{-1.0, 1.0, 1.0, 4, 4},
-                                                          {1.0, -1.0, 1.0, 4, 4},
-                                                          {1.0, 1.0, -1.0, 4, 4},
-                                                          {1.0, 1.0, 1.0, 1, 4},
-                                                          {1.0, 1.0, 1.0, 4, 0},
-                                                          {1.0, 1.0, 0.0, 4, 4}}) {
+}
+
+TEST(GluQuadricErrors, ArgumentsOfCylinder) {
+  struct Case {
+    double base, top, height;
+    int slices, stacks;
+  };
+  for (const Case& c : {Case{-1, 1, 1, 4, 4},
+                        {1, -1, 1, 4, 4},
+                        {1, 1, -1, 4, 4},
+                        {1, 1, 1, 1, 4},
+                        {1, 1, 1, 4, 0},
+                        {1, 1, 0, 4, 4}}) {
     expect_same_errors([&](auto glu, GLUquadric* quadric) {
-      glu.cylinder(quadric, base, top, height, slices, stacks);
+      glu.cylinder(quadric, c.base, c.top, c.height, c.slices, c.stacks);
     });
   }
-  for (const auto& [inner, outer, slices, loops] : {std::tuple{-1.0, 1.0, 4, 4},
-                                                    {0.0, 0.0, 4, 4},
-                                                    {2.0, 1.0, 4, 4},
-                                                    {0.0, 1.0, 1, 4},
-                                                    {0.0, 1.0, 4, 0}}) {
-    expect_same_errors(
-        [&](auto glu, GLUquadric* quadric) { glu.disk(quadric, inner, outer, slices, loops); });
+}
+
+TEST(GluQuadricErrors, ArgumentsOfDisks) {
+  struct Case {
+    double inner, outer;
+    int slices, loops;
+  };
+  for (const Case& c :
+       {Case{-1, 1, 4, 4}, {0, 0, 4, 4}, {2, 1, 4, 4}, {0, 1, 1, 4}, {0, 1, 4, 0}}) {
     expect_same_errors([&](auto glu, GLUquadric* quadric) {
-      glu.partial_disk(quadric, inner, outer, slices, loops, 0.0, 90.0);
+      glu.disk(quadric, c.inner, c.outer, c.slices, c.loops);
+    });
+    expect_same_errors([&](auto glu, GLUquadric* quadric) {
+      glu.partial_disk(quadric, c.inner, c.outer, c.slices, c.loops, 0.0, 90.0);
     });
   }
 }
