@@ -11,7 +11,6 @@
 namespace {
 
 constexpr int hidden = -1;
-enum class Interpolation { faceted, gouraud, phong };
 
 std::string text(const float* values, int count) {
   std::string result;
@@ -22,8 +21,7 @@ std::string text(const float* values, int count) {
 }
 
 // A word of the help for a value, in place of CLI11's list of what its number may be.
-template <typename Value>
-CLI::Validator choice(const std::map<std::string, Value>& names) {
+CLI::Validator choice(const std::map<std::string, int>& names) {
   CLI::CheckedTransformer transformer(names);
   transformer.description("");
   return transformer;
@@ -114,7 +112,7 @@ void add_shapes(CLI::App& app, settings& s) {
       ->group(group);
 }
 
-void add_light_model(CLI::App& app, settings& s, Interpolation& interpolation) {
+void add_light_model(CLI::App& app, settings& s) {
   const std::string group = "Light model";
   add_vector(app, "--global-ambient", "R G B", s.global_ambient, "Ambient light of no light",
              group);
@@ -122,14 +120,9 @@ void add_light_model(CLI::App& app, settings& s, Interpolation& interpolation) {
            group);
   add_flag(app, "--two-sided", s.two_sided, "Light back faces with the back material", group);
   add_flag(app, "--separate-specular", s.separate_specular, "GL_SEPARATE_SPECULAR_COLOR", group);
-  const std::map<std::string, Interpolation> names = {{"faceted", Interpolation::faceted},
-                                                      {"gouraud", Interpolation::gouraud},
-                                                      {"phong", Interpolation::phong}};
-  app.add_option("--interpolation", interpolation,
-                 "phong lights every fragment, which Mesa's fixed function cannot: the difference "
-                 "then shows what interpolated colours lose")
-      ->transform(choice(names))
-      ->type_name("faceted|gouraud|phong")
+  app.add_option("--interpolation", s.faceted, "One colour a facet, or colours between vertices")
+      ->transform(choice(std::map<std::string, int>{{"faceted", 1}, {"gouraud", 0}}))
+      ->type_name("faceted|gouraud")
       ->default_str("gouraud")
       ->group(group);
 }
@@ -158,7 +151,6 @@ void add_pictures(CLI::App& app, CommandLine& line) {
 
 CommandLine parse_command_line(int argc, char** argv) {
   CommandLine line;
-  Interpolation interpolation = Interpolation::gouraud;
   CLI::App app(
       "Draws one OpenGL 1.x scene twice, by Mesa's own fixed function and by legacy_gl on the core "
       "profile, and compares the pictures.");
@@ -166,7 +158,7 @@ CommandLine parse_command_line(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   add_pictures(app, line);
   add_shapes(app, line.scene);
-  add_light_model(app, line.scene, interpolation);
+  add_light_model(app, line.scene);
   add_light(app, "directional", line.scene.lights[LIGHT_DIRECTIONAL]);
   add_light(app, "positional", line.scene.lights[LIGHT_POSITIONAL]);
   add_light(app, "spot", line.scene.lights[LIGHT_SPOT]);
@@ -180,7 +172,5 @@ CommandLine parse_command_line(int argc, char** argv) {
   for (int shape = 0; shape < SHAPE_COUNT; ++shape) {
     line.scene.shape_shown[shape] = line.scene.shape_material[shape] == hidden ? 0 : 1;
   }
-  line.scene.faceted = interpolation == Interpolation::faceted ? 1 : 0;
-  line.phong = interpolation == Interpolation::phong;
   return line;
 }

@@ -7,8 +7,7 @@
 struct CommandLine {
   settings scene = default_settings();
   std::string output = ".";
-  int amplification = 64;
-  bool phong = false;
+  int amplification = 128;
 };
 
 // Prints and ends the program on --help and on wrong arguments.
