@@ -5,10 +5,6 @@
 
 using legacy_gl::report_unbuilt;
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglHint(GLenum, GLenum) {
-  report_unbuilt("glHint");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterf(GLenum, GLenum, GLfloat) {
   report_unbuilt("glTexParameterf");
 }
@@ -37,41 +33,12 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawBuffer(GLenum) {
   report_unbuilt("glDrawBuffer");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelStoref(GLenum, GLfloat) {
-  report_unbuilt("glPixelStoref");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelStorei(GLenum, GLint) {
-  report_unbuilt("glPixelStorei");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglReadBuffer(GLenum) {
   report_unbuilt("glReadBuffer");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) {
   report_unbuilt("glReadPixels");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBooleanv(GLenum, GLboolean *) {
-  report_unbuilt("glGetBooleanv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetDoublev(GLenum, GLdouble *) {
-  report_unbuilt("glGetDoublev");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetFloatv(GLenum, GLfloat *) {
-  report_unbuilt("glGetFloatv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetIntegerv(GLenum, GLint *) {
-  report_unbuilt("glGetIntegerv");
-}
-
-LEGACY_GL_API const GLubyte * LEGACY_GL_APIENTRY lglGetString(GLenum) {
-  report_unbuilt("glGetString");
-  return 0;
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexImage(GLenum, GLint, GLenum, GLenum, void *) {
@@ -431,14 +398,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetClipPlane(GLenum, GLdouble *) {
   report_unbuilt("glGetClipPlane");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetLightfv(GLenum, GLenum, GLfloat *) {
-  report_unbuilt("glGetLightfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetLightiv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetLightiv");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapdv(GLenum, GLenum, GLdouble *) {
   report_unbuilt("glGetMapdv");
 }
@@ -449,14 +408,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapfv(GLenum, GLenum, GLfloat *) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapiv(GLenum, GLenum, GLint *) {
   report_unbuilt("glGetMapiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMaterialfv(GLenum, GLenum, GLfloat *) {
-  report_unbuilt("glGetMaterialfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMaterialiv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetMaterialiv");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPixelMapfv(GLenum, GLfloat *) {
@@ -493,14 +444,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGenfv(GLenum, GLenum, GLfloat *) 
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGeniv(GLenum, GLenum, GLint *) {
   report_unbuilt("glGetTexGeniv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawArrays(GLenum, GLint, GLsizei) {
-  report_unbuilt("glDrawArrays");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawElements(GLenum, GLsizei, GLenum, const void *) {
-  report_unbuilt("glDrawElements");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPointerv(GLenum, void **) {
@@ -548,46 +491,6 @@ LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsTexture(GLuint) {
   return 0;
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglArrayElement(GLint) {
-  report_unbuilt("glArrayElement");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorPointer(GLint, GLenum, GLsizei, const void *) {
-  report_unbuilt("glColorPointer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDisableClientState(GLenum) {
-  report_unbuilt("glDisableClientState");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglEdgeFlagPointer(GLsizei, const void *) {
-  report_unbuilt("glEdgeFlagPointer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnableClientState(GLenum) {
-  report_unbuilt("glEnableClientState");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexPointer(GLenum, GLsizei, const void *) {
-  report_unbuilt("glIndexPointer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglInterleavedArrays(GLenum, GLsizei, const void *) {
-  report_unbuilt("glInterleavedArrays");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormalPointer(GLenum, GLsizei, const void *) {
-  report_unbuilt("glNormalPointer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexCoordPointer(GLint, GLenum, GLsizei, const void *) {
-  report_unbuilt("glTexCoordPointer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglVertexPointer(GLint, GLenum, GLsizei, const void *) {
-  report_unbuilt("glVertexPointer");
-}
-
 LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglAreTexturesResident(GLsizei, const GLuint *, GLboolean *) {
   report_unbuilt("glAreTexturesResident");
   return 0;
@@ -605,10 +508,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPushClientAttrib(GLbitfield) {
   report_unbuilt("glPushClientAttrib");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawRangeElements(GLenum, GLuint, GLuint, GLsizei, GLenum, const void *) {
-  report_unbuilt("glDrawRangeElements");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage3D(GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *) {
   report_unbuilt("glTexImage3D");
 }
@@ -619,10 +518,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage3D(GLenum, GLint, GLint, GLi
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
   report_unbuilt("glCopyTexSubImage3D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglActiveTexture(GLenum) {
-  report_unbuilt("glActiveTexture");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void *) {
@@ -653,18 +548,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetCompressedTexImage(GLenum, GLint, vo
   report_unbuilt("glGetCompressedTexImage");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglClientActiveTexture(GLenum) {
-  report_unbuilt("glClientActiveTexture");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawArrays(GLenum, const GLint *, const GLsizei *, GLsizei) {
-  report_unbuilt("glMultiDrawArrays");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawElements(GLenum, const GLsizei *, GLenum, const void *const *, GLsizei) {
-  report_unbuilt("glMultiDrawElements");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameterf(GLenum, GLfloat) {
   report_unbuilt("glPointParameterf");
 }
@@ -679,14 +562,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteri(GLenum, GLint) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteriv(GLenum, const GLint *) {
   report_unbuilt("glPointParameteriv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoordPointer(GLenum, GLsizei, const void *) {
-  report_unbuilt("glFogCoordPointer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColorPointer(GLint, GLenum, GLsizei, const void *) {
-  report_unbuilt("glSecondaryColorPointer");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglWindowPos2d(GLdouble, GLdouble) {
@@ -784,51 +659,4 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetQueryObjectiv(GLuint, GLenum, GLint 
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetQueryObjectuiv(GLuint, GLenum, GLuint *) {
   report_unbuilt("glGetQueryObjectuiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBindBuffer(GLenum, GLuint) {
-  report_unbuilt("glBindBuffer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteBuffers(GLsizei, const GLuint *) {
-  report_unbuilt("glDeleteBuffers");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGenBuffers(GLsizei, GLuint *) {
-  report_unbuilt("glGenBuffers");
-}
-
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsBuffer(GLuint) {
-  report_unbuilt("glIsBuffer");
-  return 0;
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBufferData(GLenum, GLsizeiptr, const void *, GLenum) {
-  report_unbuilt("glBufferData");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBufferSubData(GLenum, GLintptr, GLsizeiptr, const void *) {
-  report_unbuilt("glBufferSubData");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferSubData(GLenum, GLintptr, GLsizeiptr, void *) {
-  report_unbuilt("glGetBufferSubData");
-}
-
-LEGACY_GL_API void * LEGACY_GL_APIENTRY lglMapBuffer(GLenum, GLenum) {
-  report_unbuilt("glMapBuffer");
-  return 0;
-}
-
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglUnmapBuffer(GLenum) {
-  report_unbuilt("glUnmapBuffer");
-  return 0;
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferParameteriv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetBufferParameteriv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferPointerv(GLenum, GLenum, void **) {
-  report_unbuilt("glGetBufferPointerv");
 }

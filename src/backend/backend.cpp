@@ -17,6 +17,7 @@ constexpr std::size_t kUniformRingBytes = std::size_t{1} << 20;
 
 Backend::Backend(const Driver& loaded)
     : driver(loaded),
+      buffers_(driver),
       programs_(driver),
       vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes),
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes),
@@ -105,27 +106,29 @@ std::uint32_t Backend::upload_vertices(Context& context) {
 }
 
 void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
-  const std::vector<PrimitiveRun>& runs = context.recorder.runs();
+  const Recorder& recorder = context.recorder;
+  const std::vector<PrimitiveRun>& runs = recorder.runs();
+  const auto needs_indices = [](const PrimitiveRun& run) {
+    return run.indexed || !draws_without_indices(run.mode);
+  };
   for (std::size_t at = 0; at < runs.size();) {
     // Neighbours that the driver can draw in one call go together.
     const GLenum mode = core_mode(runs[at].mode);
-    const bool indexed = !draws_without_indices(runs[at].mode);
+    const bool indexed = needs_indices(runs[at]);
     first_scratch_.clear();
     count_scratch_.clear();
     index_scratch_.clear();
     std::size_t end = at;
-    for (; end < runs.size() && core_mode(runs[end].mode) == mode &&
-           draws_without_indices(runs[end].mode) == !indexed;
-         ++end) {
-      PrimitiveRun run = runs[end];
-      run.first += base_vertex;
+    do {
+      const PrimitiveRun& run = runs[end++];
       if (indexed) {
-        append_indices(run, index_scratch_);
+        append_indices(run, recorder.elements(), base_vertex, index_scratch_);
       } else {
-        first_scratch_.push_back(static_cast<GLint>(run.first));
+        first_scratch_.push_back(static_cast<GLint>(run.first + base_vertex));
         count_scratch_.push_back(static_cast<GLsizei>(run.count));
       }
-    }
+    } while (end < runs.size() && core_mode(runs[end].mode) == mode &&
+             needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)));
     at = end;
     if (indexed) {
       const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);

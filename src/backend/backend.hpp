@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "backend/buffer_objects.hpp"
 #include "backend/derive.hpp"
 #include "backend/driver.hpp"
 #include "backend/program_cache.hpp"
@@ -26,6 +27,8 @@ class Backend {
 
   bool has_logic_op() const { return driver.LogicOp != nullptr; }
 
+  BufferObjects& buffers() { return buffers_; }
+
   const Driver driver;
 
  private:
@@ -36,6 +39,7 @@ class Backend {
   void draw_runs(Context& context, std::uint32_t base_vertex);
   std::uint32_t upload_vertices(Context& context);
 
+  BufferObjects buffers_;
   ProgramCache programs_;
   StreamBuffer vertices_;
   StreamBuffer indices_;

@@ -13,31 +13,55 @@ GLenum core_mode(GLenum mode) {
 
 bool draws_without_indices(GLenum mode) { return core_mode(mode) == mode; }
 
-void append_indices(const PrimitiveRun& run, std::vector<std::uint32_t>& indices) {
-  const std::uint32_t first = run.first, end = run.first + run.count;
-  const auto triangle = [&indices](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    indices.push_back(a);
-    indices.push_back(b);
-    indices.push_back(c);
+bool joins_in_one_draw(GLenum mode) {
+  return mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES;
+}
+
+namespace {
+
+/// `vertex(k)` is the index of the run's k-th vertex.
+template <typename Vertex>
+void append(GLenum mode, std::uint32_t count, std::vector<std::uint32_t>& indices, Vertex vertex) {
+  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    indices.push_back(vertex(a));
+    indices.push_back(vertex(b));
+    indices.push_back(vertex(c));
   };
-  switch (run.mode) {
+  switch (mode) {
     case GL_QUADS:
-      for (std::uint32_t i = first; i + 3 < end; i += 4) {
+      for (std::uint32_t i = 0; i + 3 < count; i += 4) {
         triangle(i, i + 1, i + 3);
         triangle(i + 1, i + 2, i + 3);
       }
       break;
     case GL_QUAD_STRIP:
-      for (std::uint32_t i = first; i + 3 < end; i += 2) {
+      for (std::uint32_t i = 0; i + 3 < count; i += 2) {
         triangle(i + 2, i, i + 3);
         triangle(i, i + 1, i + 3);
       }
       break;
     case GL_POLYGON:
-      for (std::uint32_t i = first + 1; i + 1 < end; ++i) triangle(i, i + 1, first);
+      for (std::uint32_t i = 1; i + 1 < count; ++i) triangle(i, i + 1, 0);
       break;
-    default:
-      for (std::uint32_t i = first; i < end; ++i) indices.push_back(i);
+    default: {
+      const std::size_t at = indices.size();
+      indices.resize(at + count);
+      for (std::uint32_t i = 0; i < count; ++i) indices[at + i] = vertex(i);
+    }
+  }
+}
+
+}  // namespace
+
+void append_indices(const PrimitiveRun& run, const std::vector<std::uint32_t>& elements,
+                    std::uint32_t base_vertex, std::vector<std::uint32_t>& indices) {
+  if (run.indexed) {
+    const std::uint32_t* const element = elements.data() + run.first;
+    append(run.mode, run.count, indices,
+           [=](std::uint32_t i) { return element[i] + base_vertex; });
+  } else {
+    append(run.mode, run.count, indices,
+           [=](std::uint32_t i) { return run.first + base_vertex + i; });
   }
 }
 

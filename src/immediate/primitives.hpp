@@ -12,9 +12,14 @@ GLenum core_mode(GLenum mode);
 /// The core profile draws the mode's vertices as they come; the others need indices.
 bool draws_without_indices(GLenum mode);
 
-/// Appends the indices that draw `run` as core_mode(run.mode). Triangles keep the order, and end with the vertex,
+/// Primitives of the core mode that follow one another can be drawn in one call with their indices joined.
+bool joins_in_one_draw(GLenum core_mode);
+
+/// Appends the indices that draw `run` as core_mode(run.mode): vertices from run.first on, or for an indexed run what
+/// `elements` says from run.first on, with `base_vertex` added. Triangles keep the order, and end with the vertex,
 /// that the fixed-function pipeline's own split gives: flat shading takes its colour from the last one
 /// (GL 2.1 spec 2.14.7, table 2.12), and interpolation starts from the first.
-void append_indices(const PrimitiveRun& run, std::vector<std::uint32_t>& indices);
+void append_indices(const PrimitiveRun& run, const std::vector<std::uint32_t>& elements,
+                    std::uint32_t base_vertex, std::vector<std::uint32_t>& indices);
 
 }  // namespace legacy_gl

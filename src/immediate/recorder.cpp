@@ -130,33 +130,62 @@ void Recorder::vertex(Context& context, float x, float y, float z, float w) {
 void Recorder::close_run(Context& context, GLenum mode, std::uint32_t first) {
   const std::uint32_t count = whole_primitives(mode, vertex_count() - first);
   cursor_ = storage_.get() + std::size_t{first + count} * offsets_.stride;
-  if (count == 0) return;
+  if (count) add_run(context, {mode, first, count});
+}
+
+void Recorder::add_run(Context& context, const PrimitiveRun& run) {
   if (!runs_.empty()) {
     ++context.statistics.begin_end_merged;
     PrimitiveRun& last = runs_.back();
-    if (last.mode == mode && list_of_independent_primitives(mode) &&
-        last.first + last.count == first) {
-      last.count += count;
+    if (last.mode == run.mode && last.indexed == run.indexed &&
+        list_of_independent_primitives(run.mode) && last.first + last.count == run.first) {
+      last.count += run.count;
       return;
     }
   }
-  runs_.push_back({mode, first, count});
+  runs_.push_back(run);
+}
+
+void Recorder::put_current(const Context& context, float* vertices, std::uint32_t count) const {
+  const std::size_t stride = offsets_.stride, position_size = offsets_.position_size;
+  put_fields(context, layout_, vertices + position_size);
+  for (std::uint32_t i = 1; i < count; ++i)
+    std::memcpy(vertices + i * stride + position_size, vertices + position_size,
+                (stride - position_size) * sizeof(float));
+}
+
+void Recorder::flush_if_large(Context& context) {
+  if (static_cast<std::size_t>(cursor_ - storage_.get()) > kFlushFloats) flush_pending(context);
 }
 
 void Recorder::end(Context& context) {
   inside_ = false;
   close_run(context, mode_, first_);
-  if (static_cast<std::size_t>(cursor_ - storage_.get()) > kFlushFloats) flush_pending(context);
+  flush_if_large(context);
 }
 
-float* Recorder::append(Context& context, GLenum mode, std::uint32_t count) {
+float* Recorder::append_vertices(Context& context, std::uint32_t count, bool with_w) {
   start_batch(context);
-  const std::uint32_t first = vertex_count();
+  if (with_w && offsets_.position_size == 3) {
+    VertexLayout wide = layout_;
+    wide.fields |= kFieldPositionW;
+    widen(context, wide);
+  }
   reserve(count);
   float* const vertices = cursor_;
   cursor_ += std::size_t{count} * offsets_.stride;
-  close_run(context, mode, first);
   return vertices;
+}
+
+void Recorder::append_run(Context& context, GLenum mode, std::uint32_t count) {
+  close_run(context, mode, vertex_count() - count);
+}
+
+std::uint32_t* Recorder::append_elements(Context& context, GLenum mode, std::uint32_t count) {
+  const std::size_t first = elements_.size();
+  elements_.resize(first + count);
+  add_run(context, {mode, static_cast<std::uint32_t>(first), count, true});
+  return elements_.data() + first;
 }
 
 void Recorder::widen(const Context& context, const VertexLayout& layout) {
@@ -203,6 +232,7 @@ void Recorder::carry_materials(Context& context, MaterialMask mask) {
 
 void Recorder::clear() {
   runs_.clear();
+  elements_.clear();
   cursor_ = storage_.get();
 }
 

@@ -11,11 +11,13 @@ struct legacy_gl_context;
 
 namespace legacy_gl {
 
-/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`.
+/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`. An indexed run
+/// counts elements() instead, each of which names a vertex of the batch.
 struct PrimitiveRun {
   GLenum mode = GL_POINTS;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  bool indexed = false;
 };
 
 /// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when a state changes,
@@ -32,8 +34,13 @@ class Recorder {
   void vertex(legacy_gl_context& context, float x, float y, float z);
   void vertex(legacy_gl_context& context, float x, float y, float z, float w);
 
-  /// Room for `count` vertices of one primitive, laid out as layout() says; for client arrays.
-  float* append(legacy_gl_context& context, GLenum mode, std::uint32_t count);
+  /// For client arrays: room for `count` vertices, which the caller fills as layout() says. The position has a w
+  /// when `with_w`, or when the batch has one already. Follow with append_run or append_elements.
+  float* append_vertices(legacy_gl_context& context, std::uint32_t count, bool with_w);
+  /// The last `count` vertices as primitives of `mode`.
+  void append_run(legacy_gl_context& context, GLenum mode, std::uint32_t count);
+  /// Room for `count` elements: vertices of the batch, drawn as primitives of `mode`.
+  std::uint32_t* append_elements(legacy_gl_context& context, GLenum mode, std::uint32_t count);
 
   /// From here on vertices carry these material properties; those recorded before get the values of now.
   void carry_materials(legacy_gl_context& context, MaterialMask mask);
@@ -45,6 +52,13 @@ class Recorder {
     return static_cast<std::uint32_t>(cursor_ - storage_.get()) / (offsets_.stride ? offsets_.stride : 1);
   }
   const std::vector<PrimitiveRun>& runs() const { return runs_; }
+  const std::vector<std::uint32_t>& elements() const { return elements_; }
+
+  /// The current values in `count` vertices laid out as layout() says, behind their positions.
+  void put_current(const legacy_gl_context& context, float* vertices, std::uint32_t count) const;
+
+  /// Draws the batch when it has become large.
+  void flush_if_large(legacy_gl_context& context);
 
   /// Forgets the batch; the storage stays.
   void clear();
@@ -58,6 +72,7 @@ class Recorder {
   void widen(const legacy_gl_context& context, const VertexLayout& layout);
   float* emit(legacy_gl_context& context);
   void close_run(legacy_gl_context& context, GLenum mode, std::uint32_t first);
+  void add_run(legacy_gl_context& context, const PrimitiveRun& run);
 
   float* cursor_ = nullptr;
   float* limit_ = nullptr;
@@ -69,6 +84,7 @@ class Recorder {
   std::unique_ptr<float[]> storage_;
   std::size_t capacity_floats_ = 0;
   std::vector<PrimitiveRun> runs_;
+  std::vector<std::uint32_t> elements_;
 };
 
 /// Vertices at the end of a run that complete no primitive are dropped (GL 2.1 spec 2.6.1).

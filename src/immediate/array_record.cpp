@@ -1,0 +1,108 @@
+#include "immediate/array_record.hpp"
+
+#include <cstring>
+#include <vector>
+
+#include "state/context.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// The head of a list command; floats of `vertex_count` vertices follow, then `element_count` indices.
+struct RecordedArrays {
+  GLenum mode;
+  std::uint32_t vertex_count;
+  std::uint32_t element_count;  ///< 0: the vertices as they come
+  std::uint32_t stride;         ///< in floats
+  std::array<std::uint8_t, kArrayCount> sizes;  ///< in floats; 0: the array was not enabled
+};
+
+std::size_t vertex_bytes(const RecordedArrays& head) {
+  return std::size_t{head.vertex_count} * head.stride * sizeof(float);
+}
+
+void play_arrays(Context& context, const void* payload) {
+  if (context.recorder.inside_begin_end()) return raise_error(context, GL_INVALID_OPERATION);
+  RecordedArrays head;
+  std::memcpy(&head, payload, sizeof head);
+  const std::byte* const vertices = static_cast<const std::byte*>(payload) + sizeof head;
+  ArrayViews views;
+  std::size_t offset = 0;
+  for (unsigned i = 0; i < kArrayCount; ++i) {
+    if (!head.sizes[i]) continue;
+    views[i].data = vertices + offset;
+    views[i].stride = head.stride * sizeof(float);
+    views[i].size = head.sizes[i];
+    offset += head.sizes[i] * sizeof(float);
+  }
+  if (head.element_count)
+    submit_elements(context, views, head.mode,
+                    {vertices + vertex_bytes(head), GL_UNSIGNED_INT, head.element_count});
+  else
+    submit_arrays(context, views, head.mode, 0, head.vertex_count);
+}
+
+RecordedArrays make_head(const ArrayViews& views, GLenum mode, std::uint32_t vertex_count,
+                         std::uint32_t element_count) {
+  RecordedArrays head{mode, vertex_count, element_count, 0, {}};
+  for (unsigned i = 0; i < kArrayCount; ++i) {
+    if (!views[i].data) continue;
+    head.sizes[i] = static_cast<std::uint8_t>(views[i].size);
+    head.stride += views[i].size;
+  }
+  return head;
+}
+
+/// Appends the command with room for its data, which the caller fills.
+std::byte* append(Context& context, const RecordedArrays& head) {
+  void* const payload =
+      context.lists.append(&play_arrays, sizeof head + vertex_bytes(head) +
+                                             head.element_count * sizeof(std::uint32_t));
+  std::memcpy(payload, &head, sizeof head);
+  return static_cast<std::byte*>(payload) + sizeof head;
+}
+
+void copy_vertices(const ArrayViews& views, const RecordedArrays& head, std::uint32_t first,
+                   std::uint32_t count, float* to) {
+  for (unsigned i = 0; i < kArrayCount; ++i) {
+    if (!head.sizes[i]) continue;
+    const ArrayView& view = views[i];
+    view.read(find_reader(view.type, is_normalised(i), view.size, view.size), first, count, to,
+              head.stride, view.size);
+    to += view.size;
+  }
+}
+
+}  // namespace
+
+void record_arrays(Context& context, const ArrayViews& views, GLenum mode, std::uint32_t first,
+                   std::uint32_t count) {
+  count = whole_primitives(mode, count);
+  if (count == 0 || !views[kVertexArray].data) return;
+  const RecordedArrays head = make_head(views, mode, count, 0);
+  copy_vertices(views, head, first, count, reinterpret_cast<float*>(append(context, head)));
+}
+
+void record_elements(Context& context, const ArrayViews& views, GLenum mode,
+                     const ElementView& elements) {
+  const std::uint32_t count = whole_primitives(mode, elements.count);
+  if (count == 0 || !views[kVertexArray].data) return;
+  const std::vector<std::uint32_t> indices = read_elements({elements.data, elements.type, count});
+  const ElementRange range = element_range({elements.data, elements.type, count});
+  const bool shared = worth_indexing(range, count);
+  const std::uint32_t vertex_count = shared ? range.highest - range.lowest + 1 : count;
+  const RecordedArrays head = make_head(views, mode, vertex_count, shared ? count : 0);
+  std::byte* const data = append(context, head);
+  float* const vertices = reinterpret_cast<float*>(data);
+  if (!shared) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      copy_vertices(views, head, indices[i], 1, vertices + std::size_t{i} * head.stride);
+    return;
+  }
+  copy_vertices(views, head, range.lowest, vertex_count, vertices);
+  std::uint32_t* const to = reinterpret_cast<std::uint32_t*>(data + vertex_bytes(head));
+  for (std::uint32_t i = 0; i < count; ++i) to[i] = indices[i] - range.lowest;
+}
+
+}  // namespace legacy_gl
