@@ -55,6 +55,22 @@ glm::dvec3 uniform_material(const Context& context, const ProgramKey& key, unsig
 
 bool folds_into_scene(std::uint8_t kind) { return !(kind & (kLightAttenuated | kLightSpot)); }
 
+bool shininess_comes_with_vertices(const ProgramKey& key) {
+  return key.material[kFront][kShininess] == MaterialSource::kVertex ||
+         key.material[kBack][kShininess] == MaterialSource::kVertex;
+}
+
+/// How long a unit normal is after the normal matrix and GL_RESCALE_NORMAL, under a modelview that keeps angles.
+double length_of_unit_normal(const Context& context, const LinearPart& linear) {
+  return (context.transform.rescale_normal_enabled ? linear.rescale_factor : 1.0) / linear.scale;
+}
+
+bool has_specular(const ProgramKey& key) {
+  return std::any_of(key.lights.begin(), key.lights.end(), [](const LightRun& run) {
+    return run.count && run.kind & kLightSpecular;
+  });
+}
+
 unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
 
 bool back_faces_visible(const Context& context) {
@@ -81,6 +97,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
 
   if (dirty & kDirtyTransform) update_transform(context);
   const ProgramKey before = key;
+  const double length_before = normal_length_;
   if (dirty & kDirtyKey || layout_changed) {
     key = ProgramKey{};
     key.lit = context.lighting.enabled;
@@ -95,13 +112,18 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     choose_space(context, layout);
     if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
       choose_lights(context);
+    key.angle_error = has_specular(key) && key.space == LightingSpace::kObject &&
+                      !linear_.exact && key.normal != NormalMode::kNormalize;
   }
-  const bool space_changed = before.space != key.space || before.normal != key.normal;
+  const bool space_changed = before.space != key.space || before.normal != key.normal ||
+                             before.angle_error != key.angle_error;
   if (dirty & kDirtyTransform || space_changed) fill_transform(context);
   if (!key.lit) return;
   const bool lights_changed = !(before == key);
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
-  if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed) fill_faces(context);
+  if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed ||
+      length_before != normal_length_)
+    fill_faces(context);
 }
 
 void Derived::update_transform(Context& context) {
@@ -122,14 +144,19 @@ void Derived::choose_space(const Context& context, const VertexLayout& layout) {
     key.space = linear_.keeps_angles ? LightingSpace::kObject : LightingSpace::kEyeAxes;
 
   const bool in_object_space = key.space == LightingSpace::kObject;
-  if (context.transform.normalize_enabled)
+  normal_length_ = 1;
+  key.normal = NormalMode::kMatrix;
+  if (context.transform.normalize_enabled) {
     key.normal = NormalMode::kNormalize;
-  else if (!in_object_space)
-    key.normal = NormalMode::kMatrix;
-  else if (context.transform.rescale_normal_enabled || std::abs(linear_.scale - 1) < 1e-9)
-    key.normal = NormalMode::kAsIs;
-  else
-    key.normal = NormalMode::kScaled;
+  } else if (in_object_space) {
+    // Near 1 the products take the length, and its power for the specular term; farther off that power would leave
+    // the range, and the normal is scaled.
+    const double length = length_of_unit_normal(context, linear_);
+    const bool products_take_it =
+        length > 0.8 && length < 1.25 && !shininess_comes_with_vertices(key);
+    key.normal = products_take_it ? NormalMode::kAsIs : NormalMode::kScaled;
+    if (products_take_it) normal_length_ = length;
+  }
 }
 
 void Derived::choose_materials(const Context& context, const VertexLayout& layout) {
@@ -210,11 +237,8 @@ void Derived::choose_lights(Context& context) {
     build_runs();
   }
 
-  bool specular = false, distance_to_viewer = false;
-  for (const LightRun& run : key.lights)
-    if (run.count && run.kind & kLightSpecular) specular = true;
-  distance_to_viewer = specular && lighting.model.local_viewer;
-  key.local_viewer = distance_to_viewer;
+  const bool specular = has_specular(key);
+  key.local_viewer = specular && lighting.model.local_viewer;
   key.separate_specular = specular && lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
   key.integer_shininess = {};
   for (unsigned face = 0; specular && face < face_count(key); ++face) {
@@ -245,10 +269,9 @@ void Derived::fill_transform(const Context& context) {
   glm::dvec3 viewer(0, 0, 1);  // the direction to an infinite viewer
   const glm::dvec3 translation(modelview.exact[3]);
   const bool local = context.lighting.model.local_viewer;
-  const glm::dmat3 to_object = glm::transpose(linear_.matrix) / (linear_.scale * linear_.scale);
   switch (key.space) {
     case LightingSpace::kObject:
-      viewer = local ? to_object * -translation : to_object * viewer * linear_.scale;
+      viewer = local ? linear_.inverse * -translation : linear_.inverse * viewer * linear_.scale;
       break;
     case LightingSpace::kEyeAxes:
       if (local) viewer = -translation;
@@ -257,7 +280,9 @@ void Derived::fill_transform(const Context& context) {
       if (local) viewer = glm::dvec3(0);
       break;
   }
-  transform.viewer = finite(viewer, 1 / linear_.scale);
+  transform.viewer = finite(viewer, length_of_unit_normal(context, linear_));
+  for (int column = 0; column < 3; ++column)
+    transform.angle_error[static_cast<unsigned>(column)] = finite(linear_.angle_error[column], 0);
 }
 
 void Derived::fill_lights(const Context& context) {
@@ -267,7 +292,7 @@ void Derived::fill_lights(const Context& context) {
   const bool in_object_space = key.space == LightingSpace::kObject;
   const double scale = in_object_space ? linear_.scale : 1;
   const glm::dmat3 rotation =
-      in_object_space ? glm::transpose(linear_.matrix) / linear_.scale : glm::dmat3(1.0);
+      in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);
   const glm::dvec3 origin =
       key.space == LightingSpace::kEyeHomogeneous ? glm::dvec3(0) : translation;
 
@@ -293,7 +318,10 @@ void Derived::fill_lights(const Context& context) {
       if (is_spot(light)) {
         const double half_cutoff =
             static_cast<double>(light.spot_cutoff_degrees) * (std::numbers::pi / 360);
-        const double limit = 2 * std::sin(half_cutoff) * std::sin(half_cutoff);
+        // Vertices on the cone are lit: the bound leaves room for the rounding of the chord, and for that of two unit
+        // vectors that are opposite.
+        const double limit =
+            std::max(2 * std::sin(half_cutoff) * std::sin(half_cutoff) * (1 + 3e-7), 1e-13);
         uniforms.spot_direction = finite(rotation * unit(light.spot_direction_eye), limit);
       } else {
         uniforms.spot_direction = {0, 0, 0, 4};
@@ -314,13 +342,16 @@ void Derived::fill_faces(const Context& context) {
       const Light& light = context.lighting.lights[active.index];
       if (folds_into_scene(active.kind)) ambient_light += rgb(light.ambient) * active.strength;
       if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
-      const auto product = [&](unsigned property, const glm::vec4& color) {
+      const auto product = [&](unsigned property, const glm::vec4& color, double factor) {
         return finite(
-            rgb(color) * uniform_material(context, key, face, property) * active.strength, 0);
+            rgb(color) * uniform_material(context, key, face, property) * active.strength * factor,
+            0);
       };
-      uniforms.products.push_back({product(kAmbient, light.ambient),
-                                   product(kDiffuse, light.diffuse),
-                                   product(kSpecular, light.specular)});
+      const double shine_of_length = std::pow(
+          normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
+      uniforms.products.push_back({product(kAmbient, light.ambient, 1),
+                                   product(kDiffuse, light.diffuse, normal_length_),
+                                   product(kSpecular, light.specular, shine_of_length)});
     }
     const Material& material = context.lighting.materials[face];
     glm::dvec3 scene(0);

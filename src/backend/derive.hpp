@@ -47,6 +47,7 @@ class Derived {
   LinearPart linear_;
   bool affine_ = true;
   bool linear_known_ = false;
+  double normal_length_ = 1;  ///< of a unit normal after the modelview, where the products take it
   VertexLayout layout_;
   std::vector<ActiveLight> active_;
 };

@@ -9,9 +9,10 @@ namespace legacy_gl {
 
 namespace {
 
-/// Lighting in object space is as exact as the angles that the modelview keeps: at 1e-8 the error stays below the
-/// rounding of the float32 normals. Float32 rotation matrices that a program computed itself fall outside.
-constexpr double kAngleTolerance = 1e-8;
+/// Rotations that a program computed in float32 keep angles within 1e-6; what they lack is one symmetric matrix of
+/// that size, which enters lighting to first order. Farther off, its square would show.
+constexpr double kAngleTolerance = 1e-5;
+constexpr double kInvisible = 1e-9;
 
 double largest_entry(const glm::dmat3& m) {
   double largest = 0;
@@ -28,7 +29,7 @@ LinearPart analyse(const glm::dmat3& matrix) {
   const double largest = largest_entry(matrix);
   if (!(largest > 0) || !std::isfinite(largest)) {
     part.keeps_angles = false;
-    part.cofactor = part.inverse_transpose = glm::dmat3(0.0);
+    part.cofactor = part.inverse = part.inverse_transpose = glm::dmat3(0.0);
     part.rescale_factor = 0;
     return part;
   }
@@ -43,17 +44,24 @@ LinearPart analyse(const glm::dmat3& matrix) {
                       std::abs(glm::dot(x, y)) <= tolerance &&
                       std::abs(glm::dot(y, z)) <= tolerance &&
                       std::abs(glm::dot(z, x)) <= tolerance;
-  part.scale = std::sqrt(squared) / power;
+  part.scale = std::sqrt((squared + glm::dot(y, y) + glm::dot(z, z)) / 3) / power;
   part.cofactor = glm::dmat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   const double determinant = glm::dot(x, part.cofactor[0]);
   part.determinant_sign = determinant < 0 ? -1 : 1;
   if (determinant != 0) {
     part.inverse_transpose = part.cofactor * (power / determinant);
+    part.inverse = glm::transpose(part.inverse_transpose);
     // The third row of the inverse is the third column of its transpose.
     part.rescale_factor = 1 / glm::length(part.inverse_transpose[2]);
   } else {
-    part.inverse_transpose = glm::dmat3(0.0);
+    part.inverse = part.inverse_transpose = glm::dmat3(0.0);
     part.rescale_factor = 0;
+    part.keeps_angles = false;
+  }
+  if (part.keeps_angles) {
+    part.angle_error =
+        (part.inverse * part.scale) * (part.inverse_transpose * part.scale) - glm::dmat3(1.0);
+    part.exact = largest_entry(part.angle_error) < kInvisible;
   }
   if (const double cofactor_size = largest_entry(part.cofactor); cofactor_size > 0)
     part.cofactor *= std::exp2(-std::floor(std::log2(cofactor_size)));

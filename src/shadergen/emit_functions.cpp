@@ -5,23 +5,22 @@ namespace legacy_gl {
 
 namespace {
 
-/// x to the power n by repeated squaring: exact to a few roundings, and cheaper than exp2 and log2.
-void emit_integer_power(Writer& w, const std::string& name, unsigned exponent) {
-  w.open("float " + name + "(float x) {");
+/// (1 - q) to the power n by repeated squaring of the complement y = 1 - (1 - q)^k: squaring is y(2 - y), one factor
+/// more is y + q(1 - y). No step forms a number near 1, so nothing is rounded away and amplified n times.
+void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
+  w.line("// (1 - q)^" + std::to_string(exponent));
+  w.open("float " + name + "(float q) {");
   if (exponent == 0) {
     w.line("return 1.0;  // 0^0 is 1 (GL 2.1 spec 2.14.1)");
   } else {
-    w.line("x = max(x, 0.0);");
-    std::string product;
-    std::string power = "x";
-    for (unsigned bit = 1;; bit <<= 1) {
-      if (exponent & bit) product = product.empty() ? power : product + " * " + power;
-      if (bit > exponent / 2) break;
-      const std::string squared = "x" + std::to_string(bit * 2);
-      w.line("float " + squared + " = " + power + " * " + power + ";");
-      power = squared;
+    w.line("float y = q;");
+    unsigned bit = 1;
+    while (bit <= exponent / 2) bit <<= 1;
+    for (bit >>= 1; bit; bit >>= 1) {
+      w.line("y = y * (2.0 - y);");
+      if (exponent & bit) w.line("y = y + q * (1.0 - y);");
     }
-    w.line("return " + product + ";");
+    w.line("return 1.0 - y;");
   }
   w.close();
   w.blank();
@@ -33,9 +32,26 @@ constexpr const char* kUnit = R"(vec3 unit(vec3 v) {
 
 )";
 
-constexpr const char* kPower = R"(// x to the power s for x in [0, 1]; 0^0 is 1 (GL 2.1 spec 2.14.1)
-float power(float x, float s) {
-  return x > 0.0 ? exp2(s * log2(x)) : (s == 0.0 ? 1.0 : 0.0);
+constexpr const char* kPowerOfComplement = R"(// (1 - q)^s; 0^0 is 1. The logarithm's series takes its argument from q itself, which 1 - q has rounded.
+float power_of_complement(float q, float s) {
+  float x = max(1.0 - q, 1e-37);
+  int bits = floatBitsToInt(x);
+  int exponent = (bits - 0x3f3504f3) >> 23;
+  float d = exponent == 0 ? -q : intBitsToFloat(bits - (exponent << 23)) - 1.0;
+  float f = d / (2.0 + d);
+  float g = f * f;
+  float log2_mantissa =
+      f * (2.88539008 + g * (0.961796694 + g * (0.577078016 + g * (0.412198583 + g * 0.320598898))));
+  float power = exp2(s * (float(exponent) + log2_mantissa));
+  return q < 1.0 ? power : (s == 0.0 ? 1.0 : 0.0);
+}
+
+)";
+
+constexpr const char* kComplement = R"(// 1 - dot(n, h) for a unit vector h, exact where the two nearly meet. half_excess: (|n|^2 - 1) / 2
+float complement(vec3 n, vec3 h, float half_excess) {
+  vec3 e = n - h;
+  return min(half_excess < 0.5 ? 0.5 * dot(e, e) - half_excess : 1.0 - dot(n, h), 1.0);
 }
 
 )";
@@ -53,13 +69,15 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
   const bool general_shininess =
       specular && (key.integer_shininess[0] == kGeneralShininess ||
                    (key.two_side && key.integer_shininess[1] == kGeneralShininess));
-  if (key.normal == NormalMode::kNormalize || specular || any_light(key, kLightPoint)) w.raw(kUnit);
-  if (general_shininess || any_light(key, kLightSpotExponent)) w.raw(kPower);
+  const bool half_vectors = specular && (key.local_viewer || any_light(key, kLightPoint));
+  if (key.normal == NormalMode::kNormalize || half_vectors) w.raw(kUnit);
+  if (general_shininess || any_light(key, kLightSpotExponent)) w.raw(kPowerOfComplement);
   if (!specular) return;
+  w.raw(kComplement);
   if (key.integer_shininess[0] != kGeneralShininess)
-    emit_integer_power(w, "front_shine", key.integer_shininess[0]);
+    emit_integer_shine(w, "front_shine", key.integer_shininess[0]);
   if (key.two_side && key.integer_shininess[1] != kGeneralShininess)
-    emit_integer_power(w, "back_shine", key.integer_shininess[1]);
+    emit_integer_shine(w, "back_shine", key.integer_shininess[1]);
 }
 
 void emit_lighting_blocks(Writer& w, const ProgramKey& key) {

@@ -50,7 +50,7 @@ void emit_point_geometry(Writer& w, std::uint8_t kind, const std::string& light)
     w.line("float one_minus_cosine = 0.5 * dot(chord, chord);");
     const std::string inside =
         kind & kLightSpotExponent
-            ? "power(max(1.0 - one_minus_cosine, 0.0), " + light + ".attenuation.w)"
+            ? "power_of_complement(one_minus_cosine, " + light + ".attenuation.w)"
             : "1.0";
     w.line(target + "one_minus_cosine <= " + light + ".spot_direction.w ? " + inside + " : 0.0;");
   }
@@ -59,18 +59,20 @@ void emit_point_geometry(Writer& w, std::uint8_t kind, const std::string& light)
 void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                       const std::string& light) {
   if (key.local_viewer)
-    w.line("float n_dot_h = dot(n, unit(to_light + to_viewer));");
+    w.line("vec3 h = unit(to_light + to_viewer);");
   else if (kind & kLightPoint)
-    w.line("float n_dot_h = dot(n, unit(to_light + viewer.xyz));");
+    w.line("vec3 h = unit(to_light + viewer.xyz);");
   else
-    w.line("float n_dot_h = dot(n, " + light + ".half_vector.xyz);");
+    w.line("vec3 h = " + light + ".half_vector.xyz;");
 }
 
 std::string shine(const ProgramKey& key, unsigned face) {
-  const std::string cosine = face ? "-n_dot_h" : "n_dot_h";
+  const std::string half_excess = key.normal == NormalMode::kNormalize ? "0.0" : "half_excess";
+  const std::string q =
+      std::string("complement(") + (face ? "-n" : "n") + ", h, " + half_excess + ")";
   if (key.integer_shininess[face] != kGeneralShininess)
-    return std::string(kSide[face]) + "_shine(" + cosine + ")";
-  return "power(max(" + cosine + ", 0.0), " +
+    return std::string(kSide[face]) + "_shine(" + q + ")";
+  return "power_of_complement(" + q + ", " +
          (key.material[face][kShininess] == MaterialSource::kVertex
               ? std::string(kMaterialAttributeNames[face][kShininess])
               : std::string(kSide[face]) + "_ambient_light.w") +
@@ -102,6 +104,20 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
   }
   if (!sum.empty())
     w.line(side + "_sum += " + (scaled ? "strength * (" + sum + ")" : sum) + ";");
+}
+
+bool has_specular(const ProgramKey& key) {
+  for (const LightRun& run : key.lights)
+    if (run.count && run.kind & kLightSpecular) return true;
+  return false;
+}
+
+/// (|n|^2 - 1) / 2 without the rounding of |n|^2: the high halves have 12 bits, their products are exact.
+void emit_half_excess(Writer& w, const ProgramKey& key) {
+  w.line("vec3 high = floor(n * 2048.0) * (1.0 / 2048.0);");
+  w.line("vec3 low = n - high;");
+  w.line("float half_excess = 0.5 * ((dot(high, high) - 1.0) + dot(low, high + n));");
+  if (key.angle_error) w.line("half_excess += 0.5 * dot(n, angle_error * n);");
 }
 
 void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& index) {
@@ -147,6 +163,7 @@ void emit_lighting_space(Writer& w, const ProgramKey& key) {
 
 void emit_lights(Writer& w, const ProgramKey& key) {
   for (unsigned face = 0; face < face_count(key); ++face) emit_scene(w, key, face);
+  if (has_specular(key) && key.normal != NormalMode::kNormalize) emit_half_excess(w, key);
   if (key.local_viewer) w.line("vec3 to_viewer = unit(viewer.xyz - vertex);");
 
   // Eight lights unroll; more loop, a kind at a time.

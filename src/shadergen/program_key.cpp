@@ -33,7 +33,7 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   const bool flags[] = {key.lit,         key.flat,          key.secondary_from_vertex,
                         key.two_side,    key.local_viewer,  key.separate_specular,
                         key.position4,   key.point_size,    key.per_fragment,
-                        key.back_only};
+                        key.back_only,   key.angle_error};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
@@ -80,6 +80,7 @@ std::string describe(const ProgramKey& key) {
   if (key.per_fragment) append(text, "per fragment");
   if (key.position4) append(text, "vertex w");
   if (key.point_size) append(text, "points");
+  if (key.angle_error) append(text, "angles corrected");
   if (key.back_only) append(text, "back faces");
   return text;
 }

@@ -56,12 +56,13 @@ struct ProgramKey {
   bool position4 = false;   ///< the position attribute has a w
   bool point_size = false;  ///< the dialect wants gl_PointSize
   bool per_fragment = false;
+  bool angle_error = false;  ///< object space under a modelview that keeps angles only nearly
   bool back_only = false;  ///< unfilled back faces: every primitive of the draw takes the back colour
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;
   /// [face][ambient, diffuse, specular, emission, shininess]
   std::array<std::array<MaterialSource, 5>, 2> material{};
-  /// Shininess of each face: 0…128 is raised by repeated squaring, kGeneralShininess by exp2 and log2.
+  /// Shininess of each face: 0 to 128 is raised by repeated squaring, kGeneralShininess by exp2 and a logarithm.
   std::array<std::uint8_t, 2> integer_shininess{};
   std::array<LightRun, kMaxLightRuns> lights{};
   bool operator==(const ProgramKey&) const = default;

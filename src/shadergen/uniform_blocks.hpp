@@ -20,6 +20,7 @@ struct TransformUniforms {
   std::array<glm::vec4, 3> normal_matrix{};
   glm::vec4 viewer{0};  ///< xyz: the eye in lighting space; w: scale of the normals
   glm::vec4 point{1, 0, 0, 0};  ///< x: point size in pixels
+  std::array<glm::vec4, 3> angle_error{};  ///< what the modelview lacks to keep angles exactly
 };
 inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Transform {
   mat4 modelview_projection;
@@ -27,11 +28,13 @@ inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Tra
   mat3 normal_matrix;
   vec4 viewer;        // xyz: the eye in lighting space, w: scale of the normals
   vec4 point;         // x: point size in pixels
+  mat3 angle_error;   // what the modelview lacks to keep angles exactly
 };
 )";
 static_assert(offsetof(TransformUniforms, normal_matrix) == 128);
 static_assert(offsetof(TransformUniforms, viewer) == 176);
-static_assert(sizeof(TransformUniforms) == 208);
+static_assert(offsetof(TransformUniforms, angle_error) == 208);
+static_assert(sizeof(TransformUniforms) == 256);
 
 struct LightUniforms {
   glm::vec4 position{0};     ///< lighting space; a directional light: the unit vector to it
