@@ -1,5 +1,7 @@
 #pragma once
 // The driver's functions. The driver's own headers are included by src/backend alone.
+#include "state/gl_types.hpp"  // first: the driver's header has fewer enums under the same version macros
+
 #include <GL/glcorearb.h>
 
 #include <string>
@@ -49,6 +51,7 @@ namespace legacy_gl {
   X(GenVertexArrays, GENVERTEXARRAYS) \
   X(GetError, GETERROR) \
   X(GetFloatv, GETFLOATV) \
+  X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV) \
   X(GetIntegerv, GETINTEGERV) \
   X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
   X(GetProgramiv, GETPROGRAMIV) \

@@ -58,6 +58,7 @@ struct legacy_gl_context {
 
   legacy_gl_statistics statistics{};
   std::unordered_set<std::string> diagnostics_given;
+  std::string renderer;                ///< what glGetString(GL_RENDERER) answers, once asked
   std::unique_ptr<legacy_gl::Backend> backend;
   std::thread::id current_in{};        ///< the thread in which it is current; default: none
 };

@@ -1,0 +1,76 @@
+#include "state/framebuffer.hpp"
+
+#include <array>
+
+#include "backend/backend.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+GLint driver_integer(const Context& context, GLenum name) {
+  GLint value = 0;
+  context.backend->driver.GetIntegerv(name, &value);
+  return value;
+}
+
+struct ChannelNames {
+  GLenum bits;                ///< of OpenGL ES
+  GLenum size;                ///< of the core profile, per attachment
+  GLenum default_attachment;  ///< of the window's framebuffer; 0: a colour buffer
+  GLenum object_attachment;
+};
+
+ChannelNames names_of(FramebufferChannel channel) {
+  switch (channel) {
+    case FramebufferChannel::kRed:
+      return {GL_RED_BITS, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, 0, GL_COLOR_ATTACHMENT0};
+    case FramebufferChannel::kGreen:
+      return {GL_GREEN_BITS, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE, 0, GL_COLOR_ATTACHMENT0};
+    case FramebufferChannel::kBlue:
+      return {GL_BLUE_BITS, GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, 0, GL_COLOR_ATTACHMENT0};
+    case FramebufferChannel::kAlpha:
+      return {GL_ALPHA_BITS, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE, 0, GL_COLOR_ATTACHMENT0};
+    case FramebufferChannel::kDepth:
+      return {GL_DEPTH_BITS, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, GL_DEPTH, GL_DEPTH_ATTACHMENT};
+    case FramebufferChannel::kStencil: break;
+  }
+  return {GL_STENCIL_BITS, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, GL_STENCIL,
+          GL_STENCIL_ATTACHMENT};
+}
+
+}  // namespace
+
+bool draws_to_framebuffer_object(const Context& context) {
+  return driver_integer(context, GL_DRAW_FRAMEBUFFER_BINDING) != 0;
+}
+
+GLint framebuffer_bits(const Context& context, FramebufferChannel channel) {
+  const Driver& driver = context.backend->driver;
+  const ChannelNames names = names_of(channel);
+  if (driver.is_es()) return driver_integer(context, names.bits);
+  GLenum attachment = names.object_attachment;
+  if (!draws_to_framebuffer_object(context)) {
+    const GLenum color = is_double_buffered(context) ? GLenum{GL_BACK_LEFT} : GLenum{GL_FRONT_LEFT};
+    attachment = names.default_attachment ? names.default_attachment : color;
+  }
+  // The size of an attachment that is not there is an error to ask for.
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    driver.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+  };
+  return ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE ? 0 : ask(names.size);
+}
+
+bool is_double_buffered(const Context& context) {
+  // A program that draws into a framebuffer object swaps by other means than ours, as EGL's windows always do.
+  if (context.backend->driver.is_es() || draws_to_framebuffer_object(context)) return true;
+  return driver_integer(context, GL_DOUBLEBUFFER) != 0;
+}
+
+bool is_stereo(const Context& context) {
+  return !context.backend->driver.is_es() && driver_integer(context, GL_STEREO) != 0;
+}
+
+}  // namespace legacy_gl

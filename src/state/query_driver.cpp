@@ -1,0 +1,82 @@
+// What glGet answers from the driver: its limits, and the bits of the framebuffer (GL 2.1 spec tables 6.31 to 6.33).
+#include "backend/backend.hpp"
+#include "state/framebuffer.hpp"
+#include "state/queries.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+using enum ValueKind;
+
+template <GLenum Name, unsigned Count = 1>
+void driver_integers(Context& c, QueryValues& v) {
+  std::array<GLint, Count> values{};
+  c.backend->driver.GetIntegerv(Name, values.data());
+  v.put(values);
+}
+
+template <GLenum Name, unsigned Count = 1>
+void driver_floats(Context& c, QueryValues& v) {
+  std::array<GLfloat, Count> values{};
+  c.backend->driver.GetFloatv(Name, values.data());
+  v.put(values);
+}
+
+/// OpenGL ES has no smooth points and lines: the aliased range, in steps of one.
+template <GLenum DesktopName, GLenum EsName>
+void size_range(Context& c, QueryValues& v) {
+  if (c.backend->driver.is_es()) driver_floats<EsName, 2>(c, v);
+  else driver_floats<DesktopName, 2>(c, v);
+}
+template <GLenum DesktopName>
+void size_granularity(Context& c, QueryValues& v) {
+  if (c.backend->driver.is_es()) v.put(1);
+  else driver_floats<DesktopName>(c, v);
+}
+
+template <FramebufferChannel Channel>
+void bits(Context& c, QueryValues& v) {
+  v.put(framebuffer_bits(c, Channel));
+}
+
+constexpr Query kLimits[] = {
+    {GL_MAX_TEXTURE_SIZE, kInteger, driver_integers<GL_MAX_TEXTURE_SIZE>},
+    {GL_MAX_3D_TEXTURE_SIZE, kInteger, driver_integers<GL_MAX_3D_TEXTURE_SIZE>},
+    {GL_MAX_CUBE_MAP_TEXTURE_SIZE, kInteger, driver_integers<GL_MAX_CUBE_MAP_TEXTURE_SIZE>},
+    {GL_MAX_TEXTURE_LOD_BIAS, kFloat, driver_floats<GL_MAX_TEXTURE_LOD_BIAS>},
+    {GL_MAX_VIEWPORT_DIMS, kInteger, driver_integers<GL_MAX_VIEWPORT_DIMS, 2>},
+    {GL_MAX_ELEMENTS_VERTICES, kInteger, driver_integers<GL_MAX_ELEMENTS_VERTICES>},
+    {GL_MAX_ELEMENTS_INDICES, kInteger, driver_integers<GL_MAX_ELEMENTS_INDICES>},
+    {GL_SUBPIXEL_BITS, kInteger, driver_integers<GL_SUBPIXEL_BITS>},
+    {GL_POINT_SIZE_RANGE, kFloat, size_range<GL_POINT_SIZE_RANGE, GL_ALIASED_POINT_SIZE_RANGE>},
+    {GL_POINT_SIZE_GRANULARITY, kFloat, size_granularity<GL_POINT_SIZE_GRANULARITY>},
+    {GL_ALIASED_POINT_SIZE_RANGE, kFloat,
+     size_range<GL_POINT_SIZE_RANGE, GL_ALIASED_POINT_SIZE_RANGE>},
+    {GL_LINE_WIDTH_RANGE, kFloat, size_range<GL_LINE_WIDTH_RANGE, GL_ALIASED_LINE_WIDTH_RANGE>},
+    {GL_LINE_WIDTH_GRANULARITY, kFloat, size_granularity<GL_LINE_WIDTH_GRANULARITY>},
+    {GL_ALIASED_LINE_WIDTH_RANGE, kFloat, driver_floats<GL_ALIASED_LINE_WIDTH_RANGE, 2>},
+};
+
+constexpr Query kFramebuffer[] = {
+    {GL_RED_BITS, kInteger, bits<FramebufferChannel::kRed>},
+    {GL_GREEN_BITS, kInteger, bits<FramebufferChannel::kGreen>},
+    {GL_BLUE_BITS, kInteger, bits<FramebufferChannel::kBlue>},
+    {GL_ALPHA_BITS, kInteger, bits<FramebufferChannel::kAlpha>},
+    {GL_DEPTH_BITS, kInteger, bits<FramebufferChannel::kDepth>},
+    {GL_STENCIL_BITS, kInteger, bits<FramebufferChannel::kStencil>},
+    {GL_SAMPLE_BUFFERS, kInteger, driver_integers<GL_SAMPLE_BUFFERS>},
+    {GL_SAMPLES, kInteger, driver_integers<GL_SAMPLES>},
+    {GL_DOUBLEBUFFER, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(is_double_buffered(c)); }},
+    {GL_STEREO, kBoolean, [](Context& c, QueryValues& v) { v.put(is_stereo(c)); }},
+};
+
+}  // namespace
+
+QueryGroups driver_queries() {
+  static constexpr std::span<const Query> kGroups[] = {kLimits, kFramebuffer};
+  return kGroups;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,114 @@
+// State of GL 1.5 whose entry points are not built: nothing can have changed it, so glGet answers its initial value
+// (GL 2.1 spec tables 6.6 to 6.33). A row goes when its feature comes.
+#include "state/queries.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+using enum ValueKind;
+
+template <GLint... Values>
+void fixed(Context&, QueryValues& v) {
+  (v.put(Values), ...);
+}
+
+constexpr Query kRasterPosition[] = {
+    {GL_CURRENT_RASTER_POSITION, kFloat, fixed<0, 0, 0, 1>},
+    {GL_CURRENT_RASTER_DISTANCE, kFloat, fixed<0>},
+    {GL_CURRENT_RASTER_COLOR, kNormalised, fixed<1, 1, 1, 1>},
+    {GL_CURRENT_RASTER_INDEX, kFloat, fixed<1>},
+    {GL_CURRENT_RASTER_TEXTURE_COORDS, kFloat, fixed<0, 0, 0, 1>},
+    {GL_CURRENT_RASTER_POSITION_VALID, kBoolean, fixed<1>},
+};
+
+constexpr Query kFogAndFragments[] = {
+    {GL_FOG_COLOR, kNormalised, fixed<0, 0, 0, 0>},
+    {GL_FOG_INDEX, kFloat, fixed<0>},
+    {GL_FOG_DENSITY, kFloat, fixed<1>},
+    {GL_FOG_START, kFloat, fixed<0>},
+    {GL_FOG_END, kFloat, fixed<1>},
+    {GL_FOG_MODE, kInteger, fixed<GL_EXP>},
+    {GL_FOG_COORDINATE_SOURCE, kInteger, fixed<GL_FRAGMENT_DEPTH>},
+    {GL_ALPHA_TEST_FUNC, kInteger, fixed<GL_ALWAYS>},
+    {GL_ALPHA_TEST_REF, kNormalised, fixed<0>},
+    {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
+    {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
+    {GL_POINT_SIZE_MIN, kFloat, fixed<0>},
+    {GL_POINT_FADE_THRESHOLD_SIZE, kFloat, fixed<1>},
+    {GL_POINT_DISTANCE_ATTENUATION, kFloat, fixed<1, 0, 0>},
+    {GL_ACCUM_CLEAR_VALUE, kNormalised, fixed<0, 0, 0, 0>},
+    {GL_MAX_CLIP_PLANES, kInteger, fixed<6>},
+};
+
+constexpr Query kTexture[] = {
+    {GL_TEXTURE_BINDING_1D, kInteger, fixed<0>},
+    {GL_TEXTURE_BINDING_2D, kInteger, fixed<0>},
+    {GL_TEXTURE_BINDING_3D, kInteger, fixed<0>},
+    {GL_TEXTURE_BINDING_CUBE_MAP, kInteger, fixed<0>},
+    {GL_NUM_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<0>},
+    {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
+};
+
+constexpr Query kPixelTransfer[] = {
+    {GL_MAP_COLOR, kBoolean, fixed<0>},
+    {GL_MAP_STENCIL, kBoolean, fixed<0>},
+    {GL_INDEX_SHIFT, kInteger, fixed<0>},
+    {GL_INDEX_OFFSET, kInteger, fixed<0>},
+    {GL_RED_SCALE, kFloat, fixed<1>},
+    {GL_GREEN_SCALE, kFloat, fixed<1>},
+    {GL_BLUE_SCALE, kFloat, fixed<1>},
+    {GL_ALPHA_SCALE, kFloat, fixed<1>},
+    {GL_DEPTH_SCALE, kFloat, fixed<1>},
+    {GL_RED_BIAS, kFloat, fixed<0>},
+    {GL_GREEN_BIAS, kFloat, fixed<0>},
+    {GL_BLUE_BIAS, kFloat, fixed<0>},
+    {GL_ALPHA_BIAS, kFloat, fixed<0>},
+    {GL_DEPTH_BIAS, kFloat, fixed<0>},
+    {GL_ZOOM_X, kFloat, fixed<1>},
+    {GL_ZOOM_Y, kFloat, fixed<1>},
+    {GL_PIXEL_MAP_I_TO_I_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_S_TO_S_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_I_TO_R_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_I_TO_G_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_I_TO_B_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_I_TO_A_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_R_TO_R_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_G_TO_G_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_B_TO_B_SIZE, kInteger, fixed<1>},
+    {GL_PIXEL_MAP_A_TO_A_SIZE, kInteger, fixed<1>},
+    {GL_MAX_PIXEL_MAP_TABLE, kInteger, fixed<256>},
+};
+
+constexpr Query kEvaluatorsAndSelection[] = {
+    {GL_MAX_EVAL_ORDER, kInteger, fixed<30>},
+    {GL_MAP1_GRID_DOMAIN, kFloat, fixed<0, 1>},
+    {GL_MAP1_GRID_SEGMENTS, kInteger, fixed<1>},
+    {GL_MAP2_GRID_DOMAIN, kFloat, fixed<0, 1, 0, 1>},
+    {GL_MAP2_GRID_SEGMENTS, kInteger, fixed<1, 1>},
+    {GL_RENDER_MODE, kInteger, fixed<GL_RENDER>},
+    {GL_NAME_STACK_DEPTH, kInteger, fixed<0>},
+    {GL_MAX_NAME_STACK_DEPTH, kInteger, fixed<64>},
+    {GL_SELECTION_BUFFER_SIZE, kInteger, fixed<0>},
+    {GL_FEEDBACK_BUFFER_SIZE, kInteger, fixed<0>},
+    {GL_FEEDBACK_BUFFER_TYPE, kInteger, fixed<GL_2D>},
+};
+
+/// What no driver under this library has: colour index mode, auxiliary and accumulation buffers.
+constexpr Query kAbsentBuffers[] = {
+    {GL_RGBA_MODE, kBoolean, fixed<1>},      {GL_INDEX_MODE, kBoolean, fixed<0>},
+    {GL_INDEX_BITS, kInteger, fixed<0>},     {GL_AUX_BUFFERS, kInteger, fixed<0>},
+    {GL_ACCUM_RED_BITS, kInteger, fixed<0>}, {GL_ACCUM_GREEN_BITS, kInteger, fixed<0>},
+    {GL_ACCUM_BLUE_BITS, kInteger, fixed<0>}, {GL_ACCUM_ALPHA_BITS, kInteger, fixed<0>},
+};
+
+}  // namespace
+
+QueryGroups initial_value_queries() {
+  static constexpr std::span<const Query> kGroups[] = {
+      kRasterPosition, kFogAndFragments,        kTexture,
+      kPixelTransfer,  kEvaluatorsAndSelection, kAbsentBuffers};
+  return kGroups;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,213 @@
+// What glGet answers from the context's own state. Tables 6.6 to 6.33 of the GL 2.1 spec, in their order.
+#include <glm/matrix.hpp>
+
+#include "state/queries.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+using enum ValueKind;
+
+const MatrixStack& texture_stack(const Context& c) { return c.transform.texture[c.active_texture]; }
+double number(std::size_t n) { return static_cast<double>(n); }
+
+constexpr Query kCurrentValues[] = {
+    {GL_CURRENT_COLOR, kNormalised, [](Context& c, QueryValues& v) { v.put(c.current.color); }},
+    {GL_CURRENT_SECONDARY_COLOR, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.current.secondary_color); }},
+    {GL_CURRENT_INDEX, kFloat, [](Context& c, QueryValues& v) { v.put(c.current.index); }},
+    {GL_CURRENT_NORMAL, kNormalised, [](Context& c, QueryValues& v) { v.put(c.current.normal); }},
+    {GL_CURRENT_FOG_COORDINATE, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.current.fog_coordinate); }},
+    {GL_CURRENT_TEXTURE_COORDS, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.current.texture_coordinates[c.active_texture]); }},
+    {GL_EDGE_FLAG, kBoolean, [](Context& c, QueryValues& v) { v.put(c.current.edge_flag); }},
+};
+
+constexpr Query kTransform[] = {
+    {GL_MATRIX_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.transform.matrix_mode); }},
+    {GL_MODELVIEW_MATRIX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.transform.modelview.top().single); }},
+    {GL_PROJECTION_MATRIX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.transform.projection.top().single); }},
+    {GL_TEXTURE_MATRIX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(texture_stack(c).top().single); }},
+    {GL_TRANSPOSE_MODELVIEW_MATRIX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(transpose(c.transform.modelview.top().single)); }},
+    {GL_TRANSPOSE_PROJECTION_MATRIX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(transpose(c.transform.projection.top().single)); }},
+    {GL_TRANSPOSE_TEXTURE_MATRIX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(transpose(texture_stack(c).top().single)); }},
+    {GL_MODELVIEW_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.transform.modelview.depth())); }},
+    {GL_PROJECTION_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.transform.projection.depth())); }},
+    {GL_TEXTURE_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(texture_stack(c).depth())); }},
+    {GL_MAX_MODELVIEW_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.transform.modelview.max_depth())); }},
+    {GL_MAX_PROJECTION_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.transform.projection.max_depth())); }},
+    {GL_MAX_TEXTURE_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(texture_stack(c).max_depth())); }},
+    {GL_ACTIVE_TEXTURE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(GL_TEXTURE0 + c.active_texture); }},
+    {GL_CLIENT_ACTIVE_TEXTURE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(GL_TEXTURE0 + c.client_active_texture); }},
+    {GL_MAX_TEXTURE_UNITS, kInteger, [](Context&, QueryValues& v) { v.put(kMaxTextureUnits); }},
+    {GL_VIEWPORT, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.viewport.box); }},
+    {GL_DEPTH_RANGE, kNormalised,
+     [](Context& c, QueryValues& v) {
+       v.put(c.raster.viewport.depth_near);
+       v.put(c.raster.viewport.depth_far);
+     }},
+};
+
+constexpr Query kLighting[] = {
+    {GL_SHADE_MODEL, kInteger, [](Context& c, QueryValues& v) { v.put(c.lighting.shade_model); }},
+    {GL_COLOR_MATERIAL_FACE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.lighting.color_material.face); }},
+    {GL_COLOR_MATERIAL_PARAMETER, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.lighting.color_material.mode); }},
+    {GL_LIGHT_MODEL_AMBIENT, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.lighting.model.ambient); }},
+    {GL_LIGHT_MODEL_LOCAL_VIEWER, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.lighting.model.local_viewer); }},
+    {GL_LIGHT_MODEL_TWO_SIDE, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.lighting.model.two_side); }},
+    {GL_LIGHT_MODEL_COLOR_CONTROL, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.lighting.model.color_control); }},
+    {GL_MAX_LIGHTS, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.lighting.lights.size())); }},
+};
+
+constexpr Query kRasterization[] = {
+    {GL_POINT_SIZE, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.point.size); }},
+    {GL_LINE_WIDTH, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.line.width); }},
+    {GL_CULL_FACE_MODE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.polygon.cull_face); }},
+    {GL_FRONT_FACE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.polygon.front_face); }},
+    {GL_POLYGON_MODE, kInteger,
+     [](Context& c, QueryValues& v) {
+       v.put(c.raster.polygon.front_mode);
+       v.put(c.raster.polygon.back_mode);
+     }},
+    {GL_POLYGON_OFFSET_FACTOR, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.raster.polygon.offset_factor); }},
+    {GL_POLYGON_OFFSET_UNITS, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.raster.polygon.offset_units); }},
+    {GL_SAMPLE_COVERAGE_VALUE, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.raster.multisample.coverage_value); }},
+    {GL_SAMPLE_COVERAGE_INVERT, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.raster.multisample.coverage_invert); }},
+    {GL_SCISSOR_BOX, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.scissor.box); }},
+};
+
+constexpr Query kStencilAndDepth[] = {
+    {GL_STENCIL_FUNC, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.function); }},
+    {GL_STENCIL_VALUE_MASK, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.value_mask); }},
+    {GL_STENCIL_REF, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.reference); }},
+    {GL_STENCIL_FAIL, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.stencil.fail); }},
+    {GL_STENCIL_PASS_DEPTH_FAIL, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.depth_fail); }},
+    {GL_STENCIL_PASS_DEPTH_PASS, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.depth_pass); }},
+    {GL_STENCIL_WRITEMASK, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.write_mask); }},
+    {GL_STENCIL_CLEAR_VALUE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.clear_value); }},
+    {GL_DEPTH_FUNC, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.depth.function); }},
+    {GL_DEPTH_WRITEMASK, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.raster.depth.write_mask); }},
+    {GL_DEPTH_CLEAR_VALUE, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.raster.depth.clear_value); }},
+};
+
+constexpr Query kColorBuffer[] = {
+    {GL_BLEND_SRC, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_source_rgb); }},
+    {GL_BLEND_DST, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_destination_rgb); }},
+    {GL_BLEND_SRC_RGB, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_source_rgb); }},
+    {GL_BLEND_SRC_ALPHA, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_source_alpha); }},
+    {GL_BLEND_DST_RGB, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_destination_rgb); }},
+    {GL_BLEND_DST_ALPHA, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_destination_alpha); }},
+    {GL_BLEND_EQUATION, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_equation); }},
+    {GL_BLEND_COLOR, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_color); }},
+    {GL_LOGIC_OP_MODE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.logic_op); }},
+    {GL_COLOR_WRITEMASK, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.write_mask); }},
+    {GL_COLOR_CLEAR_VALUE, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.clear_color); }},
+    {GL_INDEX_CLEAR_VALUE, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.clear_index); }},
+    {GL_INDEX_WRITEMASK, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.index_mask); }},
+};
+
+constexpr Query kPixelStore[] = {
+    {GL_UNPACK_SWAP_BYTES, kBoolean, [](Context& c, QueryValues& v) { v.put(c.unpack.swap_bytes); }},
+    {GL_UNPACK_LSB_FIRST, kBoolean, [](Context& c, QueryValues& v) { v.put(c.unpack.lsb_first); }},
+    {GL_UNPACK_ALIGNMENT, kInteger, [](Context& c, QueryValues& v) { v.put(c.unpack.alignment); }},
+    {GL_UNPACK_ROW_LENGTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.unpack.row_length); }},
+    {GL_UNPACK_SKIP_ROWS, kInteger, [](Context& c, QueryValues& v) { v.put(c.unpack.skip_rows); }},
+    {GL_UNPACK_SKIP_PIXELS, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.unpack.skip_pixels); }},
+    {GL_UNPACK_IMAGE_HEIGHT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.unpack.image_height); }},
+    {GL_UNPACK_SKIP_IMAGES, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.unpack.skip_images); }},
+    {GL_PACK_SWAP_BYTES, kBoolean, [](Context& c, QueryValues& v) { v.put(c.pack.swap_bytes); }},
+    {GL_PACK_LSB_FIRST, kBoolean, [](Context& c, QueryValues& v) { v.put(c.pack.lsb_first); }},
+    {GL_PACK_ALIGNMENT, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.alignment); }},
+    {GL_PACK_ROW_LENGTH, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.row_length); }},
+    {GL_PACK_SKIP_ROWS, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.skip_rows); }},
+    {GL_PACK_SKIP_PIXELS, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.skip_pixels); }},
+    {GL_PACK_IMAGE_HEIGHT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.pack.image_height); }},
+    {GL_PACK_SKIP_IMAGES, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.skip_images); }},
+};
+
+constexpr Query kListsAndHints[] = {
+    {GL_LIST_BASE, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.base); }},
+    {GL_LIST_INDEX, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.compiling_name); }},
+    {GL_LIST_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.mode); }},
+    {GL_MAX_LIST_NESTING, kInteger,
+     [](Context&, QueryValues& v) { v.put(ListState::kMaxNesting); }},
+    {GL_PERSPECTIVE_CORRECTION_HINT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.hints.perspective_correction); }},
+    {GL_POINT_SMOOTH_HINT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.hints.point_smooth); }},
+    {GL_LINE_SMOOTH_HINT, kInteger, [](Context& c, QueryValues& v) { v.put(c.hints.line_smooth); }},
+    {GL_POLYGON_SMOOTH_HINT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.hints.polygon_smooth); }},
+    {GL_FOG_HINT, kInteger, [](Context& c, QueryValues& v) { v.put(c.hints.fog); }},
+    {GL_GENERATE_MIPMAP_HINT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.hints.generate_mipmap); }},
+    {GL_TEXTURE_COMPRESSION_HINT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.hints.texture_compression); }},
+};
+
+}  // namespace
+
+QueryGroups state_queries() {
+  static constexpr std::span<const Query> kGroups[] = {
+      kCurrentValues,   kTransform,   kLighting,   kRasterization,
+      kStencilAndDepth, kColorBuffer, kPixelStore, kListsAndHints};
+  return kGroups;
+}
+
+}  // namespace legacy_gl
