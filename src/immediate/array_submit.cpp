@@ -31,6 +31,7 @@ class Gather {
     if (layout.fields & kFieldColor) add(views, kColorArray, offsets.color, 4);
     if (layout.fields & kFieldSecondaryColor)
       add(views, kSecondaryColorArray, offsets.secondary_color, 3);
+    if (layout.fields & kFieldEdgeFlag) add(views, kEdgeFlagArray, offsets.edge_flag, 1);
   }
 
   float* operator()(std::uint32_t first, std::uint32_t count, float* to) const {

@@ -31,6 +31,7 @@ float* put_fields(const Context& context, const VertexLayout& layout, float* at)
                  material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount),
                  material_size(i % kPropertyCount));
   }
+  if (layout.fields & kFieldEdgeFlag) *at++ = context.current.edge_flag ? 1.0f : 0.0f;
   return at;
 }
 
@@ -64,6 +65,7 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
     layout.fields = kFieldColor;
     if (context.color_sum_enabled) layout.fields |= kFieldSecondaryColor;
   }
+  if (is_unfilled(context.raster.polygon)) layout.fields |= kFieldEdgeFlag;
   return layout;
 }
 
@@ -213,6 +215,7 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
     if (layout_.fields & kFieldNormal) keep(wide.normal, old.normal, 3);
     if (layout_.fields & kFieldColor) keep(wide.color, old.color, 4);
     if (layout_.fields & kFieldSecondaryColor) keep(wide.secondary_color, old.secondary_color, 3);
+    if (layout_.fields & kFieldEdgeFlag) keep(wide.edge_flag, old.edge_flag, 1);
     for (unsigned m = 0; m < 2 * kPropertyCount; ++m)
       if (layout_.materials & (1u << m))
         keep(wide.materials[m], old.materials[m], material_size(m % kPropertyCount));

@@ -12,6 +12,9 @@ enum VertexField : std::uint8_t {
   kFieldNormal = 2,          ///< 3 floats
   kFieldColor = 4,           ///< 4 floats
   kFieldSecondaryColor = 8,  ///< 3 floats
+  kFieldEdgeFlag = 16,       ///< 1 float, 0 or 1; recorded while polygons are drawn as lines or points
+  kFieldLightingPosition = 32,  ///< as many floats as the position: where the vertex is lit
+  kFieldDepthOffset = 64,       ///< 1 float: polygon offset in normalised device coordinates
 };
 
 struct VertexLayout {
@@ -23,7 +26,8 @@ struct VertexLayout {
 /// Offset in floats of each field, and of the material properties that are present.
 struct VertexOffsets {
   unsigned position_size = 3;
-  unsigned normal = 0, color = 0, secondary_color = 0;
+  unsigned normal = 0, color = 0, secondary_color = 0, edge_flag = 0;
+  unsigned lighting_position = 0, depth_offset = 0;
   unsigned materials[2 * kPropertyCount] = {};
   unsigned stride = 0;  ///< in floats
 };
@@ -43,6 +47,10 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
   if (layout.fields & kFieldSecondaryColor) take(offsets.secondary_color, 3);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i)) take(offsets.materials[i], material_size(i % kPropertyCount));
+  if (layout.fields & kFieldEdgeFlag) take(offsets.edge_flag, 1);
+  if (layout.fields & kFieldLightingPosition)
+    take(offsets.lighting_position, offsets.position_size);
+  if (layout.fields & kFieldDepthOffset) take(offsets.depth_offset, 1);
   offsets.stride = at;
   return offsets;
 }

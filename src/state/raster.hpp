@@ -56,6 +56,11 @@ struct PolygonState {
   bool operator==(const PolygonState&) const = default;
 };
 
+/// Some polygons are drawn as lines or points.
+inline bool is_unfilled(const PolygonState& polygon) {
+  return polygon.front_mode != GL_FILL || polygon.back_mode != GL_FILL;
+}
+
 struct PointState {
   float size = 1;
   bool smooth_enabled = false;
