@@ -151,12 +151,8 @@ Incidence<Scalar> incidence(const State& state, const Light& light, Vector4<Scal
     if (is_zero(to_eye)) result.defined = false;
   }
   const Vector3<Scalar> half = out.to_light + to_eye;
-  // Nothing meaningful is left of a sum this short: L is opposite to E.
-  if (length(half) < Scalar(1e-14)) {
-    result.defined = false;
-  } else {
-    out.half_vector = unit(half);
-  }
+  // Nothing meaningful is left of a sum this short: L is opposite to E, and h counts as zero.
+  if (!(length(half) < Scalar(1e-14))) out.half_vector = unit(half);
   return out;
 }
 
@@ -210,6 +206,7 @@ FaceColors<Scalar> light_face(const State& state, const Material& material,
     const Scalar specular_factor =
         n_dot_l != zero ? power(n_dot_h, material.shininess) : zero;  // f_i
     if (any_nonzero(material.specular, light.specular) && at.attenuation_times_spot != zero) {
+      if (n_dot_l != zero && is_zero(at.half_vector)) result.defined = false;
       const double jump = double(scalar::abs(n_dot_l_signed));
       if (jump < result.distance_to_jump) result.distance_to_jump = jump;
     }
