@@ -21,7 +21,8 @@ std::string text(const float* values, int count) {
 }
 
 // A word of the help for a value, in place of CLI11's list of what its number may be.
-CLI::Validator choice(const std::map<std::string, int>& names) {
+template <typename Value>
+CLI::Validator choice(const std::map<std::string, Value>& names) {
   CLI::CheckedTransformer transformer(names);
   transformer.description("");
   return transformer;
@@ -142,6 +143,12 @@ void add_pictures(CLI::App& app, CommandLine& line) {
          "Size of the pictures in pixels")
       ->type_name("WIDTHxHEIGHT")
       ->default_str("800x600");
+  app.add_option("--dialect", line.dialect,
+                 "What legacy_gl draws over: OpenGL 3.3 core by OSMesa, or OpenGL ES 3.0 by EGL")
+      ->transform(
+          choice(std::map<std::string, Dialect>{{"core", Dialect::core}, {"es", Dialect::es}}))
+      ->type_name("core|es")
+      ->default_str("core");
   app.add_option("--amplification", line.amplification,
                  "What difference.png multiplies the difference by")
       ->check(CLI::Range(1, 255));
@@ -152,8 +159,8 @@ void add_pictures(CLI::App& app, CommandLine& line) {
 CommandLine parse_command_line(int argc, char** argv) {
   CommandLine line;
   CLI::App app(
-      "Draws one OpenGL 1.x scene twice, by Mesa's own fixed function and by legacy_gl on the core "
-      "profile, and compares the pictures.");
+      "Draws one OpenGL 1.x scene twice, by Mesa's own fixed function and by legacy_gl on core "
+      "OpenGL or OpenGL ES, and compares the pictures.");
   app.get_formatter()->column_width(44);
   app.option_defaults()->always_capture_default();
   add_pictures(app, line);

@@ -4,9 +4,13 @@
 
 #include "settings.h"
 
+// What legacy_gl draws over: OpenGL 3.3 core, or OpenGL ES 3.0.
+enum class Dialect { core, es };
+
 struct CommandLine {
   settings scene = default_settings();
   std::string output = ".";
+  Dialect dialect = Dialect::core;
   int amplification = 128;
 };
 

@@ -1,20 +1,19 @@
 // The scene of scene.c by Mesa's fixed function and by legacy_gl, and the difference of the
 // pictures.
-#include <legacy_gl/context.h>
+#include <legacy_gl/context.hpp>
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <memory>
-#include <stdexcept>
-#include <string>
 
 #include "command_line.hpp"
+#include "support/egl_surface.hpp"
 #include "support/osmesa_surface.hpp"
 #include "support/picture.hpp"
 
 namespace {
 
+using samples::EglSurface;
 using samples::OsmesaSurface;
 using samples::Picture;
 
@@ -24,24 +23,28 @@ Picture drawn_by_mesa(const settings& scene) {
   return surface.picture();
 }
 
-Picture drawn_by_legacy_gl(const settings& scene) {
-  const OsmesaSurface surface(OsmesaSurface::Profile::core, scene.width, scene.height);
-  legacy_gl_status status = LEGACY_GL_OK;
-  const std::unique_ptr<legacy_gl_context, decltype(&legacy_gl_destroy_context)> context(
-      legacy_gl_create_context(OSMesaGetProcAddress, nullptr, &status), legacy_gl_destroy_context);
-  if (!context) {
-    throw std::runtime_error(std::string("legacy_gl: ") + legacy_gl_status_string(status) + ": " +
-                             legacy_gl_status_detail());
-  }
-  legacy_gl_make_current(context.get());
+// Over the driver's context that is current.
+void draw_by_legacy_gl(const settings& scene, legacy_gl_loader loader) {
+  legacy_gl::OwnedContext context(loader);
+  context.make_current();
   draw_scene_by_legacy_gl(&scene);
   legacy_gl_make_current(nullptr);
+}
+
+Picture drawn_by_legacy_gl(const settings& scene, Dialect dialect) {
+  if (dialect == Dialect::es) {
+    EglSurface surface(scene.width, scene.height);
+    draw_by_legacy_gl(scene, eglGetProcAddress);
+    return surface.picture();
+  }
+  const OsmesaSurface surface(OsmesaSurface::Profile::core, scene.width, scene.height);
+  draw_by_legacy_gl(scene, OSMesaGetProcAddress);
   return surface.picture();
 }
 
 int run(const CommandLine& line) {
   const Picture mesa = drawn_by_mesa(line.scene);
-  const Picture ours = drawn_by_legacy_gl(line.scene);
+  const Picture ours = drawn_by_legacy_gl(line.scene, line.dialect);
   const samples::Difference difference = samples::difference(ours, mesa, line.amplification);
 
   const std::filesystem::path directory = line.output;
