@@ -132,7 +132,8 @@ void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 void viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (refused(c, width >= 0 && height >= 0, GL_INVALID_VALUE)) return;
-  set(c, c.raster.viewport.box, std::array<GLint, 4>{x, y, width, height});
+  assign(c, c.raster.viewport.box, std::array<GLint, 4>{x, y, width, height},
+         kDirtyRaster | kDirtyTransform);
 }
 
 void stencil_func(Context& c, GLenum function, GLint reference, GLuint mask) {

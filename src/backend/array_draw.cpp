@@ -56,15 +56,17 @@ const ArrayViews& ReadableArrays::views() {
   return views_;
 }
 
-ElementView ReadableArrays::elements(GLenum type, const void* pointer, std::uint32_t count) {
+ElementView ReadableArrays::elements(const ArrayDraw& draw) {
+  const GLenum type = draw.element_type;
   const GLuint name = context_.arrays.element_buffer;
-  if (!name) return {static_cast<const std::byte*>(pointer), type, pointer ? count : 0};
+  if (!name)
+    return {static_cast<const std::byte*>(draw.elements), type, draw.elements ? draw.count : 0};
   const Mapping& mapping = map(name);
-  const std::size_t offset = reinterpret_cast<std::uintptr_t>(pointer);
+  const std::size_t offset = reinterpret_cast<std::uintptr_t>(draw.elements);
   if (!mapping.data || offset >= mapping.size) return {nullptr, type, 0};
   const unsigned size = type_size(type);
   return {mapping.data + offset, type,
-          std::min(count, elements_in(mapping.size - offset, size, size))};
+          std::min(draw.count, elements_in(mapping.size - offset, size, size))};
 }
 
 bool draws_from_mapped_buffer(Context& context, bool elements) {
@@ -78,14 +80,14 @@ bool draws_from_mapped_buffer(Context& context, bool elements) {
   return elements && is_mapped(context.arrays.element_buffer);
 }
 
-void draw_arrays(Context& context, GLenum mode, std::uint32_t first, std::uint32_t count) {
-  submit_arrays(context, ReadableArrays(context).views(), mode, first, count);
-}
-
-void draw_elements(Context& context, GLenum mode, std::uint32_t count, GLenum type,
-                   const void* pointer) {
+void draw_arrays(Context& context, const ArrayDraw& draw) {
+  if (!context.arrays.arrays[kVertexArray].enabled) return;
+  if (context.backend->draw_from_buffers(context, draw)) return;
   ReadableArrays readable(context);
-  submit_elements(context, readable.views(), mode, readable.elements(type, pointer, count));
+  if (draw.is_indexed())
+    submit_elements(context, readable.views(), draw.mode, readable.elements(draw));
+  else
+    submit_arrays(context, readable.views(), draw.mode, draw.first, draw.count);
 }
 
 }  // namespace legacy_gl

@@ -7,6 +7,16 @@ struct legacy_gl_context;
 
 namespace legacy_gl {
 
+/// A draw from the enabled client arrays: `count` vertices from `first` on, or those that `count` elements name.
+struct ArrayDraw {
+  GLenum mode = GL_POINTS;
+  std::uint32_t first = 0;  ///< 0 with elements
+  std::uint32_t count = 0;
+  GLenum element_type = 0;         ///< 0: no elements
+  const void* elements = nullptr;  ///< an address, or an offset into the element buffer that is bound
+  bool is_indexed() const { return element_type != 0; }
+};
+
 /// The enabled arrays and the bound elements in memory, for as long as this lives: buffer objects are mapped.
 class ReadableArrays {
  public:
@@ -16,8 +26,8 @@ class ReadableArrays {
   ReadableArrays& operator=(const ReadableArrays&) = delete;
 
   const ArrayViews& views();
-  /// `pointer`: an address, or an offset into the element buffer that is bound. Elements past its end are cut off.
-  ElementView elements(GLenum type, const void* pointer, std::uint32_t count);
+  /// Elements past the end of a buffer object are cut off.
+  ElementView elements(const ArrayDraw& draw);
 
  private:
   struct Mapping {
@@ -36,8 +46,7 @@ class ReadableArrays {
 /// An enabled array, or with `elements` the element array, is in a buffer that the application has mapped.
 bool draws_from_mapped_buffer(legacy_gl_context& context, bool elements);
 
-void draw_arrays(legacy_gl_context& context, GLenum mode, std::uint32_t first, std::uint32_t count);
-void draw_elements(legacy_gl_context& context, GLenum mode, std::uint32_t count, GLenum type,
-                   const void* pointer);
+/// Draws at once from buffer objects where that is possible, and puts the vertices into the recorder where not.
+void draw_arrays(legacy_gl_context& context, const ArrayDraw& draw);
 
 }  // namespace legacy_gl

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "immediate/clip_test.hpp"
 #include "immediate/primitives.hpp"
 
 namespace legacy_gl {
@@ -22,7 +23,8 @@ Backend::Backend(const Driver& loaded)
       vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes),
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes),
       uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes),
-      arrays_(driver) {
+      arrays_(driver),
+      buffer_arrays_(driver) {
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);
@@ -71,10 +73,20 @@ void Backend::upload_uniforms(Context& context) {
   }
 }
 
-bool Backend::prepare(Context& context, const VertexLayout& layout) {
+void Backend::prepare(Context& context, const VertexLayout& layout) {
   derived_.update(context, layout, driver.dialect);
-  derived_.key.point_size = driver.is_es();
-  const GLuint program = programs_.find_or_build(derived_.key, context.statistics);
+  upload_uniforms(context);
+  apply_raster(context);
+}
+
+bool Backend::use_program(Context& context, bool points) {
+  ProgramKey key = derived_.key;
+  key.points = points;
+  return use_program(context, key);
+}
+
+bool Backend::use_program(Context& context, const ProgramKey& key) {
+  const GLuint program = programs_.find_or_build(key, context.statistics);
   if (!program) {
     diagnose(context, "the driver refused a generated program: " + programs_.error());
     return false;
@@ -84,8 +96,7 @@ bool Backend::prepare(Context& context, const VertexLayout& layout) {
     bound_program_ = program;
     ++context.statistics.program_switches;
   }
-  upload_uniforms(context);
-  apply_raster(context);
+  bindings_known_ = true;
   return true;
 }
 
@@ -105,6 +116,17 @@ std::uint32_t Backend::upload_vertices(Context& context) {
   return static_cast<std::uint32_t>(offset / stride);
 }
 
+/// Whether the reference draws this run in its primitive pipeline, which splits quads the other way.
+bool Backend::splits_in_pipeline(const Context& context, const PrimitiveRun& run) const {
+  if (run.mode != GL_QUADS || run.indexed) return false;
+  if (derived_.key.flat || (context.lighting.enabled && context.lighting.model.two_side)) return true;
+  const Recorder& recorder = context.recorder;
+  const unsigned stride = recorder.offsets().stride;
+  return any_outside(derived_.transform.modelview_projection,
+                     recorder.data() + std::size_t{run.first} * stride, run.count, stride,
+                     recorder.offsets().position_size == 4);
+}
+
 void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
   const Recorder& recorder = context.recorder;
   const std::vector<PrimitiveRun>& runs = recorder.runs();
@@ -122,7 +144,8 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
     do {
       const PrimitiveRun& run = runs[end++];
       if (indexed) {
-        append_indices(run, recorder.elements(), base_vertex, index_scratch_);
+        append_indices(run, recorder.elements(), base_vertex, splits_in_pipeline(context, run),
+                       index_scratch_);
       } else {
         first_scratch_.push_back(static_cast<GLint>(run.first + base_vertex));
         count_scratch_.push_back(static_cast<GLsizei>(run.count));
@@ -130,6 +153,7 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
     } while (end < runs.size() && core_mode(runs[end].mode) == mode &&
              needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)));
     at = end;
+    if (!use_program(context, mode == GL_POINTS)) continue;
     if (indexed) {
       const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);
       const std::size_t offset =
@@ -152,14 +176,14 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
 
 void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
-  if (prepare(context, recorder.layout())) {
-    const std::uint32_t base_vertex = upload_vertices(context);
-    bind_vertex_array(
-        arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name()));
-    bindings_known_ = true;
-    draw_runs(context, base_vertex);
-    ++context.statistics.batches;
-  }
+  if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
+  prepare(context, recorder.layout());
+  const std::uint32_t base_vertex = upload_vertices(context);
+  const GLuint array =
+      arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name());
+  bind_vertex_array(array);
+  draw_runs(context, base_vertex);
+  ++context.statistics.batches;
   recorder.clear();
 }
 

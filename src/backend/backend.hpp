@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "backend/buffer_arrays.hpp"
 #include "backend/buffer_objects.hpp"
 #include "backend/derive.hpp"
 #include "backend/driver.hpp"
@@ -8,8 +9,11 @@
 #include "backend/raster.hpp"
 #include "backend/stream_buffer.hpp"
 #include "backend/vertex_arrays.hpp"
+#include "immediate/unfilled.hpp"
 
 namespace legacy_gl {
+
+struct ArrayDraw;
 
 /// The driver's side of a context: everything here may call the real GL, and nothing else may.
 class Backend {
@@ -28,16 +32,28 @@ class Backend {
   bool has_logic_op() const { return driver.LogicOp != nullptr; }
 
   BufferObjects& buffers() { return buffers_; }
+  void delete_buffer(GLuint name);
+
+  /// Draws the enabled client arrays from the buffer objects that they lie in, without a copy. False when one of them
+  /// does not lie in one, or not in a form that the driver draws.
+  bool draw_from_buffers(Context& context, const ArrayDraw& draw);
 
   const Driver driver;
 
  private:
-  bool prepare(Context& context, const VertexLayout& layout);
+  void prepare(Context& context, const VertexLayout& layout);
+  bool use_program(Context& context, bool points);
+  bool splits_in_pipeline(const Context& context, const PrimitiveRun& run) const;
+  bool use_program(Context& context, const ProgramKey& key);
+  /// Draws the batch when it has polygons, which become lines or points; otherwise false.
+  bool draw_unfilled(Context& context);
   void upload_uniforms(Context& context);
   void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size);
   void bind_vertex_array(GLuint array);
   void draw_runs(Context& context, std::uint32_t base_vertex);
   std::uint32_t upload_vertices(Context& context);
+  void set_constant_attributes(const Context& context, const VertexLayout& layout);
+  const void* write_indices(Context& context, const void* indices, std::size_t size);
 
   BufferObjects buffers_;
   ProgramCache programs_;
@@ -45,6 +61,7 @@ class Backend {
   StreamBuffer indices_;
   StreamBuffer uniforms_;
   VertexArrays arrays_;
+  BufferArrays buffer_arrays_;
   RasterApplier raster_;
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
@@ -53,6 +70,7 @@ class Backend {
   bool bindings_known_ = false;
   std::vector<std::uint32_t> index_scratch_;
   std::vector<std::byte> block_scratch_;
+  ExpandedBatch unfilled_scratch_;
   std::vector<GLint> first_scratch_;
   std::vector<GLsizei> count_scratch_;
 };

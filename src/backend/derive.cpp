@@ -255,7 +255,11 @@ void Derived::fill_transform(const Context& context) {
   stale[kTransformBlock] = true;
   const Matrix& modelview = context.transform.modelview.top();
   transform.modelview_projection = context.transform.projection.top().single * modelview.single;
-  transform.point.x = context.raster.point.size;
+  const float size = whole_point_size(context.raster.point);
+  transform.point = {size, std::fmod(size, 2.0f) == 0 ? 0.0f : 0.5f, 0, 0};
+  const std::array<GLint, 4>& box = context.raster.viewport.box;
+  const glm::vec2 half_size(static_cast<float>(box[2]) / 2, static_cast<float>(box[3]) / 2);
+  transform.viewport = {half_size, glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1])) + half_size};
   if (!key.lit) return;
   transform.modelview = glm::mat4(modelview.exact);
   glm::dmat3 normal_matrix = linear_.inverse_transpose;

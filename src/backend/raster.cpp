@@ -1,5 +1,8 @@
 #include "backend/raster.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace legacy_gl {
 
 namespace {
@@ -90,7 +93,7 @@ void RasterApplier::apply(const Driver& driver, const RasterState& wanted) {
   if (!known_ || have.multisample != wanted.multisample)
     apply_multisample(driver, wanted.multisample);
   if (driver.PointSize && (!known_ || have.point != wanted.point))
-    driver.PointSize(wanted.point.size);
+    driver.PointSize(whole_point_size(wanted.point));
   if (!known_ || have.line != wanted.line) {
     driver.LineWidth(wanted.line.width);
     if (!driver.is_es()) set_enabled(driver, GL_LINE_SMOOTH, wanted.line.smooth_enabled);

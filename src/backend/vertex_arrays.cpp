@@ -34,6 +34,9 @@ GLuint VertexArrays::find_or_build(const VertexLayout& layout, GLuint vertex_buf
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i))
       attribute(kLocationMaterial + i, material_size(i % kPropertyCount), offsets.materials[i]);
+  if (layout.fields & kFieldLightingPosition)
+    attribute(kLocationLightingPosition, offsets.position_size, offsets.lighting_position);
+  if (layout.fields & kFieldDepthOffset) attribute(kLocationDepthOffset, 1, offsets.depth_offset);
   arrays_.emplace(key, array);
   return array;
 }

@@ -21,7 +21,8 @@ namespace {
 
 /// `vertex(k)` is the index of the run's k-th vertex.
 template <typename Vertex>
-void append(GLenum mode, std::uint32_t count, std::vector<std::uint32_t>& indices, Vertex vertex) {
+void append(GLenum mode, std::uint32_t count, bool pipeline_split,
+            std::vector<std::uint32_t>& indices, Vertex vertex) {
   const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     indices.push_back(vertex(a));
     indices.push_back(vertex(b));
@@ -30,14 +31,14 @@ void append(GLenum mode, std::uint32_t count, std::vector<std::uint32_t>& indice
   switch (mode) {
     case GL_QUADS:
       for (std::uint32_t i = 0; i + 3 < count; i += 4) {
-        triangle(i, i + 1, i + 3);
-        triangle(i + 1, i + 2, i + 3);
+        triangle(i, i + 1, pipeline_split ? i + 3 : i + 2);
+        triangle(pipeline_split ? i + 1 : i, i + 2, i + 3);
       }
       break;
     case GL_QUAD_STRIP:
       for (std::uint32_t i = 0; i + 3 < count; i += 2) {
-        triangle(i + 2, i, i + 3);
         triangle(i, i + 1, i + 3);
+        triangle(i + 2, i, i + 3);
       }
       break;
     case GL_POLYGON:
@@ -54,13 +55,14 @@ void append(GLenum mode, std::uint32_t count, std::vector<std::uint32_t>& indice
 }  // namespace
 
 void append_indices(const PrimitiveRun& run, const std::vector<std::uint32_t>& elements,
-                    std::uint32_t base_vertex, std::vector<std::uint32_t>& indices) {
+                    std::uint32_t base_vertex, bool pipeline_split,
+                    std::vector<std::uint32_t>& indices) {
   if (run.indexed) {
     const std::uint32_t* const element = elements.data() + run.first;
-    append(run.mode, run.count, indices,
+    append(run.mode, run.count, true, indices,
            [=](std::uint32_t i) { return element[i] + base_vertex; });
   } else {
-    append(run.mode, run.count, indices,
+    append(run.mode, run.count, pipeline_split, indices,
            [=](std::uint32_t i) { return run.first + base_vertex + i; });
   }
 }

@@ -129,15 +129,23 @@ class Expander {
         triangle.edges &= ~(1u << i);
   }
 
+  glm::vec2 window(const glm::vec4& clip) const {
+    const ViewportState& viewport = state_.viewport;
+    const glm::vec2 half_size(static_cast<float>(viewport.box[2]) * 0.5f, static_cast<float>(viewport.box[3]) * 0.5f);
+    const glm::vec2 center = half_size + glm::vec2(static_cast<float>(viewport.box[0]), static_cast<float>(viewport.box[1]));
+    const float inverse_w = 1 / clip.w;
+    return glm::vec2(clip) * inverse_w * half_size + center;
+  }
+
   /// Positive where the vertices run counter-clockwise in the window. The homogeneous form serves
   /// vertices behind the eye; the other gives exactly 0 where two vertices meet.
   double winding(const Triangle& triangle) const {
     const glm::vec4 &a = clip_[triangle.vertex[0]], &b = clip_[triangle.vertex[1]],
                     &c = clip_[triangle.vertex[2]];
     if (a.w > 0 && b.w > 0 && c.w > 0) {
-      const glm::dvec2 p(glm::vec2(a) / a.w), q(glm::vec2(b) / b.w), r(glm::vec2(c) / c.w);
-      const glm::dvec2 e = p - r, f = q - r;
-      return e.x * f.y - e.y * f.x;
+      const glm::vec2 p = window(a), q = window(b), r = window(c);
+      const glm::vec2 e = p - r, f = q - r;
+      return static_cast<double>(e.x * f.y - e.y * f.x);
     }
     return determinant({a.x, a.y, a.w}, {b.x, b.y, b.w}, {c.x, c.y, c.w});
   }

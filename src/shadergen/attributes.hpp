@@ -9,9 +9,11 @@ enum AttributeLocation : unsigned {
   kLocationNormal = 1,
   kLocationColor = 2,
   kLocationSecondaryColor = 3,
-  kLocationMaterial = 4  ///< front ambient, diffuse, specular, emission, shininess, then back
+  kLocationMaterial = 4,  ///< front ambient, diffuse, specular, emission, shininess, then back
+  kLocationLightingPosition = kLocationMaterial + 10,
+  kLocationDepthOffset
 };
-inline constexpr unsigned kAttributeCount = kLocationMaterial + 10;
+inline constexpr unsigned kAttributeCount = kLocationDepthOffset + 1;
 
 /// Names of the material attributes and of the properties, by [face][property].
 inline constexpr std::array<std::array<const char*, 5>, 2> kMaterialAttributeNames{

@@ -143,11 +143,14 @@ std::string material_expression(const ProgramKey& key, unsigned face, unsigned p
 }
 
 void emit_lighting_space(Writer& w, const ProgramKey& key) {
+  const std::string position = key.lighting_position ? "lighting_position" : "position";
   switch (key.space) {
-    case LightingSpace::kObject: w.line("vec3 vertex = position.xyz;"); break;
-    case LightingSpace::kEyeAxes: w.line("vec3 vertex = mat3(modelview) * position.xyz;"); break;
+    case LightingSpace::kObject: w.line("vec3 vertex = " + position + ".xyz;"); break;
+    case LightingSpace::kEyeAxes:
+      w.line("vec3 vertex = mat3(modelview) * " + position + ".xyz;");
+      break;
     case LightingSpace::kEyeHomogeneous:
-      w.line("vec4 position_eye = modelview * position;");
+      w.line("vec4 position_eye = modelview * " + position + ";");
       w.line("vec3 vertex = position_eye.xyz / position_eye.w;");
       break;
   }

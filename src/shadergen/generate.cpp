@@ -27,6 +27,9 @@ void emit_input(Writer& w, unsigned location, const std::string& type, const std
 void emit_inputs(Writer& w, const ProgramKey& key) {
   emit_input(w, kLocationPosition, "vec4", "position");
   if (key.lit) emit_input(w, kLocationNormal, "vec3", "normal");
+  if (key.lighting_position)
+    emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
+  if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
   if (reads_color(key)) emit_input(w, kLocationColor, "vec4", "color");
   if (key.secondary_from_vertex)
     emit_input(w, kLocationSecondaryColor, "vec3", "secondary_color");
@@ -47,6 +50,18 @@ void emit_varyings(Writer& w, const ProgramKey& key, const char* direction) {
   if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
 }
 
+/// Aliased points are squares of whole pixels (GL 2.1 spec 3.3.1): their centre moves to the middle of a pixel, or to
+/// the corner of four where the size is even. The core profile's own points are not moved.
+void emit_point(Writer& w, Dialect dialect) {
+  if (dialect == Dialect::kEs300) w.line("gl_PointSize = point.x;");
+  w.line("vec2 window = gl_Position.xy / gl_Position.w * viewport.xy + viewport.zw;");
+  w.line("vec2 center = floor(window + 0.5 - point.y) + point.y;");
+  w.line("vec2 snapped = (center - viewport.zw) / viewport.xy * gl_Position.w;");
+  w.line("vec2 edge = vec2(gl_Position.w);");
+  w.line("bool visible = all(lessThanEqual(abs(gl_Position.xy), edge));");
+  w.line("gl_Position.xy = visible ? clamp(snapped, -edge, edge) : gl_Position.xy;");
+}
+
 std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "vertex");
@@ -61,7 +76,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (key.lit) emit_lighting_functions(w, key);
   w.open("void main() {");
   w.line("gl_Position = modelview_projection * position;");
-  if (key.point_size) w.line("gl_PointSize = point.x;");
+  if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
+  if (key.points) emit_point(w, dialect);
   if (key.lit) {
     emit_lighting_space(w, key);
     emit_lights(w, key);
@@ -97,9 +113,8 @@ std::string fragment_shader(const ProgramKey& key, Dialect dialect) {
       secondary = "secondary";
     }
   }
-  if (has_secondary(key))  // GL 2.1 spec 3.9, "color sum"
-    w.line("fragment_color = vec4(min(" + color + ".rgb + " + secondary + ", 1.0), " + color +
-           ".a);");
+  if (has_secondary(key))  // GL 2.1 spec 3.9, "color sum"; a fixed-point framebuffer clamps
+    w.line("fragment_color = vec4(" + color + ".rgb + " + secondary + ", " + color + ".a);");
   else
     w.line("fragment_color = " + color + ";");
   w.close();

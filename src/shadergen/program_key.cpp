@@ -32,8 +32,9 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   std::size_t hash = 0xcbf29ce484222325ull;
   const bool flags[] = {key.lit,         key.flat,          key.secondary_from_vertex,
                         key.two_side,    key.local_viewer,  key.separate_specular,
-                        key.position4,   key.point_size,    key.per_fragment,
-                        key.back_only,   key.angle_error};
+                        key.position4,   key.points,    key.per_fragment,
+                        key.back_only,   key.angle_error,   key.lighting_position,
+                        key.depth_offset};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
@@ -79,9 +80,11 @@ std::string describe(const ProgramKey& key) {
   if (key.flat) append(text, "flat");
   if (key.per_fragment) append(text, "per fragment");
   if (key.position4) append(text, "vertex w");
-  if (key.point_size) append(text, "points");
+  if (key.points) append(text, "points");
   if (key.angle_error) append(text, "angles corrected");
   if (key.back_only) append(text, "back faces");
+  if (key.lighting_position) append(text, "lit at the provoking vertex");
+  if (key.depth_offset) append(text, "depth offset");
   return text;
 }
 

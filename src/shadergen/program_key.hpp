@@ -54,10 +54,12 @@ struct ProgramKey {
   bool local_viewer = false;
   bool separate_specular = false;
   bool position4 = false;   ///< the position attribute has a w
-  bool point_size = false;  ///< the dialect wants gl_PointSize
+  bool points = false;      ///< draws GL_POINTS
   bool per_fragment = false;
   bool angle_error = false;  ///< object space under a modelview that keeps angles only nearly
   bool back_only = false;  ///< unfilled back faces: every primitive of the draw takes the back colour
+  bool lighting_position = false;  ///< flat and unfilled: lit where the provoking vertex is
+  bool depth_offset = false;       ///< unfilled with polygon offset
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;
   /// [face][ambient, diffuse, specular, emission, shininess]

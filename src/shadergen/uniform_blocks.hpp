@@ -19,7 +19,8 @@ struct TransformUniforms {
   glm::mat4 modelview{1.0f};
   std::array<glm::vec4, 3> normal_matrix{};
   glm::vec4 viewer{0};  ///< xyz: the eye in lighting space; w: scale of the normals
-  glm::vec4 point{1, 0, 0, 0};  ///< x: point size in pixels
+  glm::vec4 point{1, 0.5f, 0, 0};  ///< x: point size in pixels, y: 0.5 where it is odd
+  glm::vec4 viewport{1, 1, 0, 0};  ///< xy: half its size, zw: its centre, in window coordinates
   std::array<glm::vec4, 3> angle_error{};  ///< what the modelview lacks to keep angles exactly
 };
 inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Transform {
@@ -27,14 +28,15 @@ inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Tra
   mat4 modelview;     // object to lighting space
   mat3 normal_matrix;
   vec4 viewer;        // xyz: the eye in lighting space, w: scale of the normals
-  vec4 point;         // x: point size in pixels
+  vec4 point;         // x: point size in pixels, y: 0.5 where it is odd
+  vec4 viewport;      // xy: half its size, zw: its centre, in window coordinates
   mat3 angle_error;   // what the modelview lacks to keep angles exactly
 };
 )";
 static_assert(offsetof(TransformUniforms, normal_matrix) == 128);
 static_assert(offsetof(TransformUniforms, viewer) == 176);
-static_assert(offsetof(TransformUniforms, angle_error) == 208);
-static_assert(sizeof(TransformUniforms) == 256);
+static_assert(offsetof(TransformUniforms, angle_error) == 224);
+static_assert(sizeof(TransformUniforms) == 272);
 
 struct LightUniforms {
   glm::vec4 position{0};     ///< lighting space; a directional light: the unit vector to it

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec4.hpp>
 
 #include "state/gl_types.hpp"
@@ -66,6 +68,11 @@ struct PointState {
   bool smooth_enabled = false;
   bool operator==(const PointState&) const = default;
 };
+
+/// Aliased points are whole pixels wide (GL 2.1 spec 3.3.1); halves go down, as the reference rounds them.
+inline float whole_point_size(const PointState& point) {
+  return std::max(1.0f, std::ceil(point.size - 0.5f));
+}
 
 struct LineState {
   float width = 1;
