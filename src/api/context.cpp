@@ -9,6 +9,7 @@
 #include "api/unbuilt.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "state/framebuffer.hpp"
 
 namespace legacy_gl {
 
@@ -43,6 +44,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   // Table 6.x: viewport and scissor box start as the size of the window, which the driver knows.
   driver.GetIntegerv(GL_VIEWPORT, context->raster.viewport.box.data());
   driver.GetIntegerv(GL_SCISSOR_BOX, context->raster.scissor.box.data());
+  context->raster.color_buffer.draw_buffer = context->read_buffer = initial_color_buffer(*context);
   return LEGACY_GL_OK;
 }
 

@@ -22,7 +22,15 @@ void get(Context& c, GLenum name, T* results) {
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBooleanv(GLenum pname, GLboolean* data) { execute_now<get<GLboolean>>(pname, data); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetIntegerv(GLenum pname, GLint* data) { execute_now<get<GLint>>(pname, data); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetFloatv(GLenum pname, GLfloat* data) { execute_now<get<GLfloat>>(pname, data); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetDoublev(GLenum pname, GLdouble* data) { execute_now<get<GLdouble>>(pname, data); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBooleanv(GLenum pname, GLboolean* data) {
+  execute_now<get<GLboolean>>(pname, data);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetIntegerv(GLenum pname, GLint* data) {
+  execute_now<get<GLint>>(pname, data);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetFloatv(GLenum pname, GLfloat* data) {
+  execute_now<get<GLfloat>>(pname, data);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetDoublev(GLenum pname, GLdouble* data) {
+  execute_now<get<GLdouble>>(pname, data);
+}

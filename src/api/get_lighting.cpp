@@ -12,9 +12,18 @@ namespace {
 bool read_light(const Light& light, GLenum pname, QueryValues& v) {
   v.kind = ValueKind::kFloat;
   switch (pname) {
-    case GL_AMBIENT: v.kind = ValueKind::kNormalised; v.put(light.ambient); return true;
-    case GL_DIFFUSE: v.kind = ValueKind::kNormalised; v.put(light.diffuse); return true;
-    case GL_SPECULAR: v.kind = ValueKind::kNormalised; v.put(light.specular); return true;
+    case GL_AMBIENT:
+      v.kind = ValueKind::kNormalised;
+      v.put(light.ambient);
+      return true;
+    case GL_DIFFUSE:
+      v.kind = ValueKind::kNormalised;
+      v.put(light.diffuse);
+      return true;
+    case GL_SPECULAR:
+      v.kind = ValueKind::kNormalised;
+      v.put(light.specular);
+      return true;
     case GL_POSITION: v.put(glm::vec4(light.position_eye)); return true;
     case GL_SPOT_DIRECTION: v.put(glm::vec3(light.spot_direction_eye)); return true;
     case GL_SPOT_EXPONENT: v.put(light.spot_exponent); return true;
@@ -33,8 +42,14 @@ bool read_material(const Material& material, GLenum pname, QueryValues& v) {
     case GL_DIFFUSE: v.put(material.diffuse); return true;
     case GL_SPECULAR: v.put(material.specular); return true;
     case GL_EMISSION: v.put(material.emission); return true;
-    case GL_SHININESS: v.kind = ValueKind::kFloat; v.put(material.shininess); return true;
-    case GL_COLOR_INDEXES: v.kind = ValueKind::kFloat; v.put(material.color_indexes); return true;
+    case GL_SHININESS:
+      v.kind = ValueKind::kFloat;
+      v.put(material.shininess);
+      return true;
+    case GL_COLOR_INDEXES:
+      v.kind = ValueKind::kFloat;
+      v.put(material.color_indexes);
+      return true;
     default: return false;
   }
 }
@@ -69,7 +84,15 @@ void get_material(Context& c, GLenum face, GLenum pname, T* results) {
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetLightfv(GLenum light, GLenum pname, GLfloat* params) { execute_now<get_light<GLfloat>>(light, pname, params); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetLightiv(GLenum light, GLenum pname, GLint* params) { execute_now<get_light<GLint>>(light, pname, params); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) { execute_now<get_material<GLfloat>>(face, pname, params); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMaterialiv(GLenum face, GLenum pname, GLint* params) { execute_now<get_material<GLint>>(face, pname, params); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
+  execute_now<get_light<GLfloat>>(light, pname, params);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetLightiv(GLenum light, GLenum pname, GLint* params) {
+  execute_now<get_light<GLint>>(light, pname, params);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
+  execute_now<get_material<GLfloat>>(face, pname, params);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
+  execute_now<get_material<GLint>>(face, pname, params);
+}

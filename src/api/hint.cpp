@@ -28,4 +28,6 @@ void set_hint(Context& c, GLenum target, GLenum mode) {
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglHint(GLenum target, GLenum mode) { dispatch<set_hint>(target, mode); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglHint(GLenum target, GLenum mode) {
+  dispatch<set_hint>(target, mode);
+}

@@ -67,7 +67,9 @@ GLint pixel_store_value(GLenum name, GLfloat value) {
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelStorei(GLenum pname, GLint param) { execute_now<pixel_store>(pname, param); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelStorei(GLenum pname, GLint param) {
+  execute_now<pixel_store>(pname, param);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelStoref(GLenum pname, GLfloat param) {
   execute_now<pixel_store>(pname, pixel_store_value(pname, param));
 }

@@ -11,7 +11,8 @@ const char* find_string(Context& c, GLenum name) {
     case GL_VENDOR: return "legacy_gl";
     case GL_RENDERER:
       if (c.renderer.empty()) {
-        const auto* const driver = reinterpret_cast<const char*>(c.backend->driver.GetString(GL_RENDERER));
+        const auto* const driver =
+            reinterpret_cast<const char*>(c.backend->driver.GetString(GL_RENDERER));
         c.renderer = std::string("legacy_gl on ") + (driver ? driver : "an unnamed renderer");
       }
       return c.renderer.c_str();
@@ -34,4 +35,6 @@ const GLubyte* get_string(Context& c, GLenum name) {
 
 }  // namespace
 
-LEGACY_GL_API const GLubyte* LEGACY_GL_APIENTRY lglGetString(GLenum name) { return execute_now<get_string>(name); }
+LEGACY_GL_API const GLubyte* LEGACY_GL_APIENTRY lglGetString(GLenum name) {
+  return execute_now<get_string>(name);
+}

@@ -29,14 +29,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage2D(GLenum, GLint, GLint, GLsize
   report_unbuilt("glTexImage2D");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawBuffer(GLenum) {
-  report_unbuilt("glDrawBuffer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglReadBuffer(GLenum) {
-  report_unbuilt("glReadBuffer");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) {
   report_unbuilt("glReadPixels");
 }
@@ -270,14 +262,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglAccum(GLenum, GLfloat) {
   report_unbuilt("glAccum");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPopAttrib(void) {
-  report_unbuilt("glPopAttrib");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPushAttrib(GLbitfield) {
-  report_unbuilt("glPushAttrib");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMap1d(GLenum, GLdouble, GLdouble, GLint, GLint, const GLdouble *) {
   report_unbuilt("glMap1d");
 }
@@ -446,10 +430,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGeniv(GLenum, GLenum, GLint *) {
   report_unbuilt("glGetTexGeniv");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPointerv(GLenum, void **) {
-  report_unbuilt("glGetPointerv");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
   report_unbuilt("glCopyTexImage1D");
 }
@@ -498,14 +478,6 @@ LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglAreTexturesResident(GLsizei, const
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPrioritizeTextures(GLsizei, const GLuint *, const GLfloat *) {
   report_unbuilt("glPrioritizeTextures");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPopClientAttrib(void) {
-  report_unbuilt("glPopClientAttrib");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPushClientAttrib(GLbitfield) {
-  report_unbuilt("glPushClientAttrib");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage3D(GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *) {

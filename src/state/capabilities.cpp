@@ -33,7 +33,48 @@ bool* raster_flag(RasterState& raster, GLenum capability) {
   }
 }
 
+/// Those of GL_ENABLE_BIT (GL 2.1 spec table 6.6 to 6.33); client arrays are not among them.
+constexpr GLenum kEnableGroup[] = {GL_BLEND,
+                                   GL_COLOR_LOGIC_OP,
+                                   GL_COLOR_MATERIAL,
+                                   GL_COLOR_SUM,
+                                   GL_CULL_FACE,
+                                   GL_DEPTH_TEST,
+                                   GL_DITHER,
+                                   GL_INDEX_LOGIC_OP,
+                                   GL_LIGHTING,
+                                   GL_LINE_SMOOTH,
+                                   GL_MULTISAMPLE,
+                                   GL_NORMALIZE,
+                                   GL_POINT_SMOOTH,
+                                   GL_POLYGON_OFFSET_FILL,
+                                   GL_POLYGON_OFFSET_LINE,
+                                   GL_POLYGON_SMOOTH,
+                                   GL_POLYGON_OFFSET_POINT,
+                                   GL_RESCALE_NORMAL,
+                                   GL_SAMPLE_COVERAGE,
+                                   GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                   GL_SAMPLE_ALPHA_TO_ONE,
+                                   GL_SCISSOR_TEST,
+                                   GL_STENCIL_TEST};
+
 }  // namespace
+
+void save_enables(const Context& context, std::vector<std::uint8_t>& enables) {
+  enables.clear();
+  bool known = false;
+  for (const GLenum capability : kEnableGroup)
+    enables.push_back(capability_enabled(context, capability, known));
+  for (const Light& light : context.lighting.lights) enables.push_back(light.enabled);
+}
+
+void restore_enables(Context& context, const std::vector<std::uint8_t>& enables) {
+  std::size_t at = 0;
+  for (const GLenum capability : kEnableGroup)
+    set_capability(context, capability, enables[at++] != 0);
+  for (unsigned light = 0; light < context.lighting.lights.size(); ++light)
+    enable_light(context, light, enables[at++] != 0);
+}
 
 bool is_unbuilt_capability(GLenum capability) {
   switch (capability) {
@@ -103,6 +144,9 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
     case GL_COLOR_SUM: return context.color_sum_enabled;
     default: break;
   }
+  if (const unsigned array = array_index(capability, context.client_active_texture);
+      array < kArrayCount)
+    return context.arrays.arrays[array].enabled;
   if (is_unbuilt_capability(capability)) return false;
   RasterState raster = context.raster;
   const bool* const flag = raster_flag(raster, capability);

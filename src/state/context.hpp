@@ -49,6 +49,7 @@ struct legacy_gl_context {
   legacy_gl::RasterState raster;
   legacy_gl::HintState hints;
   legacy_gl::PixelStore pack, unpack;
+  GLenum read_buffer = GL_FRONT;       ///< set when the framebuffer is known
   legacy_gl::ClientArrays arrays;
   legacy_gl::AttributeStacks attribute_stacks;
   legacy_gl::ListState lists;

@@ -39,6 +39,18 @@ ChannelNames names_of(FramebufferChannel channel) {
           GL_STENCIL_ATTACHMENT};
 }
 
+/// The front buffer of a window is out of reach for OpenGL ES.
+bool has_front(const Context& context) {
+  return !context.backend->driver.is_es() || draws_to_framebuffer_object(context);
+}
+
+/// What the driver calls the buffer.
+GLenum driver_buffer(const Context& context, GLenum mode) {
+  if (mode == GL_NONE) return GL_NONE;
+  if (draws_to_framebuffer_object(context)) return GL_COLOR_ATTACHMENT0;
+  return context.backend->driver.is_es() ? GLenum{GL_BACK} : mode;
+}
+
 }  // namespace
 
 bool draws_to_framebuffer_object(const Context& context) {
@@ -64,13 +76,59 @@ GLint framebuffer_bits(const Context& context, FramebufferChannel channel) {
 }
 
 bool is_double_buffered(const Context& context) {
-  // A program that draws into a framebuffer object swaps by other means than ours, as EGL's windows always do.
+  // A program that draws into a framebuffer object swaps by other means than ours, as EGL's windows
+  // always do.
   if (context.backend->driver.is_es() || draws_to_framebuffer_object(context)) return true;
   return driver_integer(context, GL_DOUBLEBUFFER) != 0;
 }
 
 bool is_stereo(const Context& context) {
   return !context.backend->driver.is_es() && driver_integer(context, GL_STEREO) != 0;
+}
+
+GLenum initial_color_buffer(const Context& context) {
+  return is_double_buffered(context) ? GL_BACK : GL_FRONT;
+}
+
+GLenum draw_buffer_error(const Context& context, GLenum mode) {
+  switch (mode) {
+    case GL_NONE:
+    case GL_LEFT:
+    case GL_FRONT_AND_BACK: return GL_NO_ERROR;
+    case GL_FRONT:
+    case GL_FRONT_LEFT: return has_front(context) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    case GL_BACK:
+    case GL_BACK_LEFT: return is_double_buffered(context) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    case GL_RIGHT:
+    case GL_FRONT_RIGHT:
+    case GL_BACK_RIGHT: return is_stereo(context) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    case GL_AUX0:
+    case GL_AUX1:
+    case GL_AUX2:
+    case GL_AUX3: return GL_INVALID_OPERATION;
+    default: return GL_INVALID_ENUM;
+  }
+}
+
+GLenum read_buffer_error(const Context& context, GLenum mode) {
+  if (mode == GL_NONE || mode == GL_FRONT_AND_BACK) return GL_INVALID_ENUM;
+  return draw_buffer_error(context, mode);
+}
+
+void set_draw_buffer(Context& context, GLenum mode) {
+  const GLenum chosen = driver_buffer(context, mode);
+  flush_pending(context);
+  context.raster.color_buffer.draw_buffer = mode;
+  const Driver& driver = context.backend->driver;
+  if (driver.DrawBuffer)
+    driver.DrawBuffer(chosen);
+  else if (driver.DrawBuffers)
+    driver.DrawBuffers(1, &chosen);
+}
+
+void set_read_buffer(Context& context, GLenum mode) {
+  context.read_buffer = mode;
+  context.backend->driver.ReadBuffer(driver_buffer(context, mode));
 }
 
 }  // namespace legacy_gl

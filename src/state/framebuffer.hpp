@@ -14,4 +14,16 @@ bool draws_to_framebuffer_object(const Context& context);
 bool is_double_buffered(const Context& context);
 bool is_stereo(const Context& context);
 
+/// What glDrawBuffer and glReadBuffer start as (GL 2.1 spec 4.2.1).
+GLenum initial_color_buffer(const Context& context);
+
+/// GL 2.1 spec 4.2.1, 4.3.2: the error of glDrawBuffer and glReadBuffer, or GL_NO_ERROR.
+GLenum draw_buffer_error(const Context& context, GLenum mode);
+GLenum read_buffer_error(const Context& context, GLenum mode);
+
+/// Stores the buffer and hands it to the driver. A framebuffer object's first colour attachment
+/// stands for every buffer of a window.
+void set_draw_buffer(Context& context, GLenum mode);
+void set_read_buffer(Context& context, GLenum mode);
+
 }  // namespace legacy_gl

@@ -46,11 +46,10 @@ bool query(Context& context, GLenum name, QueryValues& values) {
 GLboolean as_boolean(double value) { return value != 0 ? GL_TRUE : GL_FALSE; }
 
 GLint as_integer(ValueKind kind, double value) {
-  // A bit mask keeps its bits.
-  if (kind == ValueKind::kInteger) return static_cast<GLint>(static_cast<std::int64_t>(value));
   constexpr double kLargest = 2147483647.0;
   if (std::isnan(value)) return 0;
-  // 1 becomes the largest integer and 0 becomes 0: GL 4.2 spec 2.3.1. Table 4.9 of GL 2.1 has no integer for 0.
+  // 1 becomes the largest integer and 0 becomes 0: GL 4.2 spec 2.3.1. Table 4.9 of GL 2.1 has no
+  // integer for 0.
   const double integer =
       kind == ValueKind::kNormalised ? std::trunc(value * kLargest) : std::round(value);
   // "the nearest value representable using the requested type" (GL 2.1 spec 6.1.2)

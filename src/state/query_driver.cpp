@@ -1,4 +1,5 @@
-// What glGet answers from the driver: its limits, and the bits of the framebuffer (GL 2.1 spec tables 6.31 to 6.33).
+// What glGet answers from the driver: its limits, and the bits of the framebuffer (GL 2.1 spec
+// tables 6.31 to 6.33).
 #include "backend/backend.hpp"
 #include "state/framebuffer.hpp"
 #include "state/queries.hpp"
@@ -26,13 +27,17 @@ void driver_floats(Context& c, QueryValues& v) {
 /// OpenGL ES has no smooth points and lines: the aliased range, in steps of one.
 template <GLenum DesktopName, GLenum EsName>
 void size_range(Context& c, QueryValues& v) {
-  if (c.backend->driver.is_es()) driver_floats<EsName, 2>(c, v);
-  else driver_floats<DesktopName, 2>(c, v);
+  if (c.backend->driver.is_es())
+    driver_floats<EsName, 2>(c, v);
+  else
+    driver_floats<DesktopName, 2>(c, v);
 }
 template <GLenum DesktopName>
 void size_granularity(Context& c, QueryValues& v) {
-  if (c.backend->driver.is_es()) v.put(1);
-  else driver_floats<DesktopName>(c, v);
+  if (c.backend->driver.is_es())
+    v.put(1);
+  else
+    driver_floats<DesktopName>(c, v);
 }
 
 template <FramebufferChannel Channel>
@@ -67,8 +72,7 @@ constexpr Query kFramebuffer[] = {
     {GL_STENCIL_BITS, kInteger, bits<FramebufferChannel::kStencil>},
     {GL_SAMPLE_BUFFERS, kInteger, driver_integers<GL_SAMPLE_BUFFERS>},
     {GL_SAMPLES, kInteger, driver_integers<GL_SAMPLES>},
-    {GL_DOUBLEBUFFER, kBoolean,
-     [](Context& c, QueryValues& v) { v.put(is_double_buffered(c)); }},
+    {GL_DOUBLEBUFFER, kBoolean, [](Context& c, QueryValues& v) { v.put(is_double_buffered(c)); }},
     {GL_STEREO, kBoolean, [](Context& c, QueryValues& v) { v.put(is_stereo(c)); }},
 };
 

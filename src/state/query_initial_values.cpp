@@ -1,5 +1,5 @@
-// State of GL 1.5 whose entry points are not built: nothing can have changed it, so glGet answers its initial value
-// (GL 2.1 spec tables 6.6 to 6.33). A row goes when its feature comes.
+// State of GL 1.5 whose entry points are not built: nothing can have changed it, so glGet answers
+// its initial value (GL 2.1 spec tables 6.6 to 6.33). A row goes when its feature comes.
 #include "state/queries.hpp"
 
 namespace legacy_gl {
@@ -96,9 +96,9 @@ constexpr Query kEvaluatorsAndSelection[] = {
 
 /// What no driver under this library has: colour index mode, auxiliary and accumulation buffers.
 constexpr Query kAbsentBuffers[] = {
-    {GL_RGBA_MODE, kBoolean, fixed<1>},      {GL_INDEX_MODE, kBoolean, fixed<0>},
-    {GL_INDEX_BITS, kInteger, fixed<0>},     {GL_AUX_BUFFERS, kInteger, fixed<0>},
-    {GL_ACCUM_RED_BITS, kInteger, fixed<0>}, {GL_ACCUM_GREEN_BITS, kInteger, fixed<0>},
+    {GL_RGBA_MODE, kBoolean, fixed<1>},       {GL_INDEX_MODE, kBoolean, fixed<0>},
+    {GL_INDEX_BITS, kInteger, fixed<0>},      {GL_AUX_BUFFERS, kInteger, fixed<0>},
+    {GL_ACCUM_RED_BITS, kInteger, fixed<0>},  {GL_ACCUM_GREEN_BITS, kInteger, fixed<0>},
     {GL_ACCUM_BLUE_BITS, kInteger, fixed<0>}, {GL_ACCUM_ALPHA_BITS, kInteger, fixed<0>},
 };
 

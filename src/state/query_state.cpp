@@ -1,6 +1,9 @@
-// What glGet answers from the context's own state. Tables 6.6 to 6.33 of the GL 2.1 spec, in their order.
+// What glGet answers from the context's own state. Tables 6.6 to 6.33 of the GL 2.1 spec, in their
+// order.
+#include <algorithm>
 #include <glm/matrix.hpp>
 
+#include "state/framebuffer.hpp"
 #include "state/queries.hpp"
 
 namespace legacy_gl {
@@ -10,7 +13,37 @@ namespace {
 using enum ValueKind;
 
 const MatrixStack& texture_stack(const Context& c) { return c.transform.texture[c.active_texture]; }
+GLint as_bits(GLuint mask) { return static_cast<GLint>(mask); }
+
+/// GL 2.1 spec 4.1.5: the reference value is clamped to what the stencil buffer holds.
+GLint clamped_stencil_reference(const Context& c) {
+  const GLint largest = (1 << framebuffer_bits(c, FramebufferChannel::kStencil)) - 1;
+  return std::clamp(c.raster.stencil.reference, 0, largest);
+}
+
 double number(std::size_t n) { return static_cast<double>(n); }
+
+/// GL_TEXTURE_COORD_ARRAY_* are those of the client's active texture unit.
+template <unsigned Index>
+const ClientArray& client_array(const Context& c) {
+  return c.arrays.arrays[Index == kTexCoordArray ? Index + c.client_active_texture : Index];
+}
+template <unsigned Index>
+void array_size(Context& c, QueryValues& v) {
+  v.put(client_array<Index>(c).size);
+}
+template <unsigned Index>
+void array_type(Context& c, QueryValues& v) {
+  v.put(client_array<Index>(c).type);
+}
+template <unsigned Index>
+void array_stride(Context& c, QueryValues& v) {
+  v.put(client_array<Index>(c).stride);
+}
+template <unsigned Index>
+void array_buffer(Context& c, QueryValues& v) {
+  v.put(client_array<Index>(c).buffer);
+}
 
 constexpr Query kCurrentValues[] = {
     {GL_CURRENT_COLOR, kNormalised, [](Context& c, QueryValues& v) { v.put(c.current.color); }},
@@ -59,8 +92,9 @@ constexpr Query kTransform[] = {
     {GL_VIEWPORT, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.viewport.box); }},
     {GL_DEPTH_RANGE, kNormalised,
      [](Context& c, QueryValues& v) {
-       v.put(c.raster.viewport.depth_near);
-       v.put(c.raster.viewport.depth_far);
+       // In the precision that drivers keep it in, so that all of them answer alike.
+       v.put(static_cast<float>(c.raster.viewport.depth_near));
+       v.put(static_cast<float>(c.raster.viewport.depth_far));
      }},
 };
 
@@ -111,7 +145,7 @@ constexpr Query kStencilAndDepth[] = {
     {GL_STENCIL_VALUE_MASK, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.raster.stencil.value_mask); }},
     {GL_STENCIL_REF, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.raster.stencil.reference); }},
+     [](Context& c, QueryValues& v) { v.put(clamped_stencil_reference(c)); }},
     {GL_STENCIL_FAIL, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.stencil.fail); }},
     {GL_STENCIL_PASS_DEPTH_FAIL, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.raster.stencil.depth_fail); }},
@@ -147,6 +181,9 @@ constexpr Query kColorBuffer[] = {
      [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_color); }},
     {GL_LOGIC_OP_MODE, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.logic_op); }},
+    {GL_DRAW_BUFFER, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.draw_buffer); }},
+    {GL_READ_BUFFER, kInteger, [](Context& c, QueryValues& v) { v.put(c.read_buffer); }},
     {GL_COLOR_WRITEMASK, kBoolean,
      [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.write_mask); }},
     {GL_COLOR_CLEAR_VALUE, kNormalised,
@@ -154,11 +191,12 @@ constexpr Query kColorBuffer[] = {
     {GL_INDEX_CLEAR_VALUE, kFloat,
      [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.clear_index); }},
     {GL_INDEX_WRITEMASK, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.index_mask); }},
+     [](Context& c, QueryValues& v) { v.put(as_bits(c.raster.color_buffer.index_mask)); }},
 };
 
 constexpr Query kPixelStore[] = {
-    {GL_UNPACK_SWAP_BYTES, kBoolean, [](Context& c, QueryValues& v) { v.put(c.unpack.swap_bytes); }},
+    {GL_UNPACK_SWAP_BYTES, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.unpack.swap_bytes); }},
     {GL_UNPACK_LSB_FIRST, kBoolean, [](Context& c, QueryValues& v) { v.put(c.unpack.lsb_first); }},
     {GL_UNPACK_ALIGNMENT, kInteger, [](Context& c, QueryValues& v) { v.put(c.unpack.alignment); }},
     {GL_UNPACK_ROW_LENGTH, kInteger,
@@ -179,6 +217,48 @@ constexpr Query kPixelStore[] = {
     {GL_PACK_IMAGE_HEIGHT, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.pack.image_height); }},
     {GL_PACK_SKIP_IMAGES, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.skip_images); }},
+};
+
+constexpr Query kStacksAndArrays[] = {
+    {GL_ATTRIB_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.server.depth()); }},
+    {GL_MAX_ATTRIB_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.server.kMaxDepth); }},
+    {GL_CLIENT_ATTRIB_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.client.depth()); }},
+    {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.client.kMaxDepth); }},
+    {GL_VERTEX_ARRAY_SIZE, kInteger, array_size<kVertexArray>},
+    {GL_VERTEX_ARRAY_TYPE, kInteger, array_type<kVertexArray>},
+    {GL_VERTEX_ARRAY_STRIDE, kInteger, array_stride<kVertexArray>},
+    {GL_VERTEX_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kVertexArray>},
+    {GL_NORMAL_ARRAY_TYPE, kInteger, array_type<kNormalArray>},
+    {GL_NORMAL_ARRAY_STRIDE, kInteger, array_stride<kNormalArray>},
+    {GL_NORMAL_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kNormalArray>},
+    {GL_COLOR_ARRAY_SIZE, kInteger, array_size<kColorArray>},
+    {GL_COLOR_ARRAY_TYPE, kInteger, array_type<kColorArray>},
+    {GL_COLOR_ARRAY_STRIDE, kInteger, array_stride<kColorArray>},
+    {GL_COLOR_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kColorArray>},
+    {GL_SECONDARY_COLOR_ARRAY_SIZE, kInteger, array_size<kSecondaryColorArray>},
+    {GL_SECONDARY_COLOR_ARRAY_TYPE, kInteger, array_type<kSecondaryColorArray>},
+    {GL_SECONDARY_COLOR_ARRAY_STRIDE, kInteger, array_stride<kSecondaryColorArray>},
+    {GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kSecondaryColorArray>},
+    {GL_FOG_COORDINATE_ARRAY_TYPE, kInteger, array_type<kFogCoordArray>},
+    {GL_FOG_COORDINATE_ARRAY_STRIDE, kInteger, array_stride<kFogCoordArray>},
+    {GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kFogCoordArray>},
+    {GL_INDEX_ARRAY_TYPE, kInteger, array_type<kIndexArray>},
+    {GL_INDEX_ARRAY_STRIDE, kInteger, array_stride<kIndexArray>},
+    {GL_INDEX_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kIndexArray>},
+    {GL_EDGE_FLAG_ARRAY_STRIDE, kInteger, array_stride<kEdgeFlagArray>},
+    {GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kEdgeFlagArray>},
+    {GL_TEXTURE_COORD_ARRAY_SIZE, kInteger, array_size<kTexCoordArray>},
+    {GL_TEXTURE_COORD_ARRAY_TYPE, kInteger, array_type<kTexCoordArray>},
+    {GL_TEXTURE_COORD_ARRAY_STRIDE, kInteger, array_stride<kTexCoordArray>},
+    {GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kTexCoordArray>},
+    {GL_ARRAY_BUFFER_BINDING, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.arrays.array_buffer); }},
+    {GL_ELEMENT_ARRAY_BUFFER_BINDING, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.arrays.element_buffer); }},
 };
 
 constexpr Query kListsAndHints[] = {
@@ -205,8 +285,8 @@ constexpr Query kListsAndHints[] = {
 
 QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
-      kCurrentValues,   kTransform,   kLighting,   kRasterization,
-      kStencilAndDepth, kColorBuffer, kPixelStore, kListsAndHints};
+      kCurrentValues, kTransform,  kLighting,      kRasterization,  kStencilAndDepth,
+      kColorBuffer,   kPixelStore, kListsAndHints, kStacksAndArrays};
   return kGroups;
 }
 

@@ -23,8 +23,8 @@ struct StencilState {
   bool test_enabled = false;
   GLenum function = GL_ALWAYS;
   GLint reference = 0;
-  GLuint value_mask = ~0u;
-  GLuint write_mask = ~0u;
+  GLuint value_mask = 0xff;  ///< all ones, in as many bits as a stencil buffer has at most
+  GLuint write_mask = 0xff;
   GLenum fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
   GLint clear_value = 0;
   bool operator==(const StencilState&) const = default;
@@ -44,6 +44,7 @@ struct ColorBufferState {
   float clear_index = 0;
   GLuint index_mask = ~0u;
   bool index_logic_op_enabled = false;
+  GLenum draw_buffer = GL_FRONT;  ///< the context sets it when it knows the framebuffer
   bool operator==(const ColorBufferState&) const = default;
 };
 
