@@ -144,9 +144,6 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
     case GL_COLOR_SUM: return context.color_sum_enabled;
     default: break;
   }
-  if (const unsigned array = array_index(capability, context.client_active_texture);
-      array < kArrayCount)
-    return context.arrays.arrays[array].enabled;
   if (is_unbuilt_capability(capability)) return false;
   RasterState raster = context.raster;
   const bool* const flag = raster_flag(raster, capability);

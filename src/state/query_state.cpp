@@ -23,28 +23,6 @@ GLint clamped_stencil_reference(const Context& c) {
 
 double number(std::size_t n) { return static_cast<double>(n); }
 
-/// GL_TEXTURE_COORD_ARRAY_* are those of the client's active texture unit.
-template <unsigned Index>
-const ClientArray& client_array(const Context& c) {
-  return c.arrays.arrays[Index == kTexCoordArray ? Index + c.client_active_texture : Index];
-}
-template <unsigned Index>
-void array_size(Context& c, QueryValues& v) {
-  v.put(client_array<Index>(c).size);
-}
-template <unsigned Index>
-void array_type(Context& c, QueryValues& v) {
-  v.put(client_array<Index>(c).type);
-}
-template <unsigned Index>
-void array_stride(Context& c, QueryValues& v) {
-  v.put(client_array<Index>(c).stride);
-}
-template <unsigned Index>
-void array_buffer(Context& c, QueryValues& v) {
-  v.put(client_array<Index>(c).buffer);
-}
-
 constexpr Query kCurrentValues[] = {
     {GL_CURRENT_COLOR, kNormalised, [](Context& c, QueryValues& v) { v.put(c.current.color); }},
     {GL_CURRENT_SECONDARY_COLOR, kNormalised,
@@ -219,7 +197,7 @@ constexpr Query kPixelStore[] = {
     {GL_PACK_SKIP_IMAGES, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.skip_images); }},
 };
 
-constexpr Query kStacksAndArrays[] = {
+constexpr Query kAttributeStacks[] = {
     {GL_ATTRIB_STACK_DEPTH, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.server.depth()); }},
     {GL_MAX_ATTRIB_STACK_DEPTH, kInteger,
@@ -228,37 +206,6 @@ constexpr Query kStacksAndArrays[] = {
      [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.client.depth()); }},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.client.kMaxDepth); }},
-    {GL_VERTEX_ARRAY_SIZE, kInteger, array_size<kVertexArray>},
-    {GL_VERTEX_ARRAY_TYPE, kInteger, array_type<kVertexArray>},
-    {GL_VERTEX_ARRAY_STRIDE, kInteger, array_stride<kVertexArray>},
-    {GL_VERTEX_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kVertexArray>},
-    {GL_NORMAL_ARRAY_TYPE, kInteger, array_type<kNormalArray>},
-    {GL_NORMAL_ARRAY_STRIDE, kInteger, array_stride<kNormalArray>},
-    {GL_NORMAL_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kNormalArray>},
-    {GL_COLOR_ARRAY_SIZE, kInteger, array_size<kColorArray>},
-    {GL_COLOR_ARRAY_TYPE, kInteger, array_type<kColorArray>},
-    {GL_COLOR_ARRAY_STRIDE, kInteger, array_stride<kColorArray>},
-    {GL_COLOR_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kColorArray>},
-    {GL_SECONDARY_COLOR_ARRAY_SIZE, kInteger, array_size<kSecondaryColorArray>},
-    {GL_SECONDARY_COLOR_ARRAY_TYPE, kInteger, array_type<kSecondaryColorArray>},
-    {GL_SECONDARY_COLOR_ARRAY_STRIDE, kInteger, array_stride<kSecondaryColorArray>},
-    {GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kSecondaryColorArray>},
-    {GL_FOG_COORDINATE_ARRAY_TYPE, kInteger, array_type<kFogCoordArray>},
-    {GL_FOG_COORDINATE_ARRAY_STRIDE, kInteger, array_stride<kFogCoordArray>},
-    {GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kFogCoordArray>},
-    {GL_INDEX_ARRAY_TYPE, kInteger, array_type<kIndexArray>},
-    {GL_INDEX_ARRAY_STRIDE, kInteger, array_stride<kIndexArray>},
-    {GL_INDEX_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kIndexArray>},
-    {GL_EDGE_FLAG_ARRAY_STRIDE, kInteger, array_stride<kEdgeFlagArray>},
-    {GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kEdgeFlagArray>},
-    {GL_TEXTURE_COORD_ARRAY_SIZE, kInteger, array_size<kTexCoordArray>},
-    {GL_TEXTURE_COORD_ARRAY_TYPE, kInteger, array_type<kTexCoordArray>},
-    {GL_TEXTURE_COORD_ARRAY_STRIDE, kInteger, array_stride<kTexCoordArray>},
-    {GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, kInteger, array_buffer<kTexCoordArray>},
-    {GL_ARRAY_BUFFER_BINDING, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.arrays.array_buffer); }},
-    {GL_ELEMENT_ARRAY_BUFFER_BINDING, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.arrays.element_buffer); }},
 };
 
 constexpr Query kListsAndHints[] = {
@@ -286,7 +233,7 @@ constexpr Query kListsAndHints[] = {
 QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
       kCurrentValues, kTransform,  kLighting,      kRasterization,  kStencilAndDepth,
-      kColorBuffer,   kPixelStore, kListsAndHints, kStacksAndArrays};
+      kColorBuffer,   kPixelStore, kListsAndHints, kAttributeStacks};
   return kGroups;
 }
 
