@@ -1,0 +1,117 @@
+// Every scene, drawn by Mesa's fixed function and by legacy_gl on both dialects.
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "conformance/render_pair.hpp"
+#include "conformance/results.hpp"
+#include "conformance/scene.hpp"
+#include "support/image_matcher.hpp"
+
+namespace legacy_gl::test {
+
+namespace {
+
+struct SceneCase {
+  Dialect dialect;
+  const Feature* feature;
+  const Scene* scene;
+
+  std::string full_name() const { return feature->name + "__" + scene->name; }
+};
+
+void PrintTo(const SceneCase& scene_case, std::ostream* out) {
+  *out << dialect_name(scene_case.dialect) << " " << scene_case.full_name();
+}
+
+std::vector<SceneCase> scene_cases(Dialect dialect) {
+  std::vector<SceneCase> cases;
+  for (const Feature& feature : features())
+    for (const Scene& scene : feature.scenes) cases.push_back({dialect, &feature, &scene});
+  return cases;
+}
+
+std::string case_name(const testing::TestParamInfo<SceneCase>& info) {
+  return info.param.full_name();
+}
+
+// From OpenGL's initial state. A scene that raises an error is a wrong scene, or a wrong library.
+Image render(RenderContext& context, const Draw& draw, const char* whose) {
+  context.recreate();
+  draw(context.gl);
+  EXPECT_EQ(context.gl.GetError(), GLenum{GL_NO_ERROR}) << whose;
+  return context.read();
+}
+
+class SceneConformance : public testing::TestWithParam<SceneCase> {
+ protected:
+  // Compares with Mesa, or for a departure of Mesa's with its reference.
+  void compare_in(PixelFormat format, float tolerance_steps, const std::string& suffix) {
+    const Scene& scene = *GetParam().scene;
+    const bool departs = !scene.traits.mesa_departure.empty();
+    RenderPair& pair = render_pair(GetParam().dialect, scene_size, format);
+    const Image mesa = render(*pair.mesa, departs ? scene.traits.reference : scene.draw, "Mesa");
+    const Image ours = render(*pair.ours, scene.draw, "legacy_gl");
+
+    ImageTolerance tolerance{.max_difference_steps = tolerance_steps};
+    const Comparison comparison = compare(ours, mesa);
+    const bool excused = GetParam().dialect == Dialect::es_300 &&
+                         !scene.traits.es300_difference_reason.empty() &&
+                         comparison.differing_pixels <= scene.traits.es300_differing_pixels;
+    const bool passed =
+        excused || (comparison.max_difference() <= tolerance_steps && comparison.same_coverage());
+    record_result({dialect_name(GetParam().dialect), GetParam().feature->name, scene.name + suffix,
+                   departs ? scene.traits.mesa_departure : "Mesa", comparison.max_difference(),
+                   comparison.differing_pixels, passed});
+    if (excused) return;
+    EXPECT_TRUE(images_match(
+        ours, mesa, tolerance,
+        std::string(dialect_name(GetParam().dialect)) + "-" + GetParam().full_name() + suffix));
+  }
+};
+
+// One step: the two round colours to RGBA8 that differ by the last bits of a float.
+TEST_P(SceneConformance, Rgba8WithinOneStep) { compare_in(PixelFormat::rgba8, 1.0F, ""); }
+
+// The largest error that Mesa itself makes in ordinary ranges is 0.0056/255; twice that and the
+// interpolation's rounding leave 0.02/255.
+TEST_P(SceneConformance, FloatColorsWithinFiftiethOfAStep) {
+  compare_in(PixelFormat::rgba32f, 0.02F, "_float");
+}
+
+INSTANTIATE_TEST_SUITE_P(core_330, SceneConformance,
+                         testing::ValuesIn(scene_cases(Dialect::core_330)), case_name);
+INSTANTIATE_TEST_SUITE_P(es_300, SceneConformance, testing::ValuesIn(scene_cases(Dialect::es_300)),
+                         case_name);
+
+// The scenes themselves: an empty picture would agree with anything.
+class SceneOnMesa : public testing::TestWithParam<SceneCase> {};
+
+TEST_P(SceneOnMesa, DrawsSomethingAndRepeats) {
+  const Scene& scene = *GetParam().scene;
+  RenderContext& mesa = mesa_context(scene_size, PixelFormat::rgba8);
+  const Image first = render(mesa, scene.draw, "Mesa");
+  const Image second = render(mesa, scene.draw, "Mesa");
+  EXPECT_TRUE(compare(first, second).identical());
+  if (scene.traits.draws_nothing) return;
+  EXPECT_GE(covered_pixels(first), 20);
+  EXPECT_GE(distinct_colors(first), scene.traits.few_colors ? 1 : 4);
+}
+
+// A row of the table of departures that Mesa no longer earns must leave it.
+TEST_P(SceneOnMesa, DepartsFromTheReferenceOnlyWhereMarked) {
+  const Scene& scene = *GetParam().scene;
+  if (scene.traits.mesa_departure.empty()) return;
+  RenderContext& mesa = mesa_context(scene_size, PixelFormat::rgba8);
+  const Image drawn = render(mesa, scene.draw, "Mesa");
+  const Image reference = render(mesa, scene.traits.reference, "Mesa");
+  EXPECT_GT(covered_pixels(reference), 0);
+  EXPECT_GT(compare(drawn, reference).max_difference(), 1.0F) << scene.traits.mesa_departure;
+}
+
+INSTANTIATE_TEST_SUITE_P(mesa, SceneOnMesa, testing::ValuesIn(scene_cases(Dialect::core_330)),
+                         case_name);
+
+}  // namespace
+
+}  // namespace legacy_gl::test
