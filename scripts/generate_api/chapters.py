@@ -7,11 +7,13 @@ A chapter is {"chapter", "section", "entry_points": [row...]}. A row:
   summary           shapes, units, spaces, ranges
   inside_begin_end  true: allowed there; "undefined": may raise GL_INVALID_OPERATION or not; missing: raises it
   in_lists          false: executed at once while a list is being compiled; missing: lists hold it
-  valid_call        a C++ call that raises nothing; gl is the table of functions
+  valid_call        C++ calls that raise nothing outside glBegin/glEnd; gl is the table of functions
+  valid_call_setup  what goes before them
   errors            [{"code", "when", "call", "setup", "mesa_differs"}...]
 
-"call" and "setup" are C++. <a|b> in them stands for one test with a and one with b. A row without
-"call" is documentation. "mesa_differs" says why Mesa's code is another one.
+"call" and "setup" are C++ with the help of tests/gl/error_cases.cpp. <a|b> in them stands for one test
+with a and one with b. An error without "call" is documentation. "mesa_differs" says why Mesa's code is
+another one.
 """
 
 import itertools
@@ -63,3 +65,10 @@ def expand(*texts):
         for group, value in zip(groups, choice):
             result = tuple(text.replace(f"<{group}>", value) for text in result)
         yield result
+
+
+def valid_calls(row):
+    if row.get("inside_begin_end"):
+        return
+    for call in row.get("valid_call", []):
+        yield from expand(call, row.get("valid_call_setup", ""))

@@ -13,34 +13,35 @@ def _lambda(code):
     return f"[]([[maybe_unused]] const GlFunctions& gl) {{ {code.rstrip(';')}; }}"
 
 
-def _error_case(row, error):
+def _error_case(row, error, built):
     for call, setup in chapters.expand(error["call"], error.get("setup", "")):
         name = call[call.index("gl.") + 3:].split("(")[0]
         listed = "true" if row.get("in_lists", True) else "false"
+        is_built = "true" if name in built else "false"
         differs = json.dumps(error["mesa_differs"]) if "mesa_differs" in error else "nullptr"
-        yield (f'{{"gl{name}", {json.dumps(error["when"])}, {json.dumps(call)}, {error["code"]}, {listed}, '
+        yield (f'{{"gl{name}", {json.dumps(error["when"])}, {json.dumps(call)}, {error["code"]}, {is_built}, {listed}, '
                f'{differs},\n {_lambda(setup)},\n {_lambda(call)}}},\n')
 
 
-def error_cases(chapter_list):
+def error_cases(chapter_list, built):
     text = GENERATED
     for chapter in chapter_list:
         text += f"\n// {chapter.section} {chapter.title}\n"
         for row in chapter.rows:
             for error in row.get("errors", []):
                 if "call" in error:
-                    text += "".join(_error_case(row, error))
+                    text += "".join(_error_case(row, error, built))
     return text
 
 
-def calls_inside_begin_end(chapter_list):
+def calls_inside_begin_end(chapter_list, built):
     text = GENERATED
     for chapter in chapter_list:
         for row in chapter.rows:
-            if row.get("inside_begin_end") or "valid_call" not in row:
-                continue
-            for call, setup in chapters.expand(row["valid_call"], row.get("valid_call_setup", "")):
+            for call, setup in chapters.valid_calls(row):
                 name = call[call.index("gl.") + 3:].split("(")[0]
+                if name not in built:
+                    continue
                 text += f'{{"gl{name}", {json.dumps(call)},\n {_lambda(setup)},\n {_lambda(call)}}},\n'
     return text
 
