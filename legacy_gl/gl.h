@@ -1069,7 +1069,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglClientActiveTexture(GLenum texture);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglArrayElement(GLint i);
 /** GL 2.1 spec 2.8.
  *  GL_INVALID_ENUM: mode is not a primitive
- *  GL_INVALID_VALUE: count is negative */
+ *  GL_INVALID_VALUE: count is negative
+ *  GL_INVALID_VALUE: first is negative
+ *  GL_INVALID_OPERATION: an array that is read is in a mapped buffer */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawArrays(GLenum mode, GLint first, GLsizei count);
 /** GL 2.1 spec 2.8.
  *  GL_INVALID_ENUM: mode is not a primitive
@@ -1078,7 +1080,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawArrays(GLenum mode, const GLin
 /** GL 2.1 spec 2.8.
  *  GL_INVALID_ENUM: mode is not a primitive
  *  GL_INVALID_VALUE: count is negative
- *  GL_INVALID_ENUM: type is not GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT */
+ *  GL_INVALID_ENUM: type is not GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+ *  GL_INVALID_OPERATION: an array that is read is in a mapped buffer
+ *  GL_INVALID_OPERATION: the indices are in a mapped buffer */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawElements(GLenum mode, GLsizei count, GLenum type, const void *indices);
 /** GL 2.1 spec 2.8.
  *  GL_INVALID_ENUM: mode is not a primitive
@@ -1089,7 +1093,8 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawElements(GLenum mode, const GL
  *  GL_INVALID_ENUM: mode is not a primitive
  *  GL_INVALID_VALUE: count is negative
  *  GL_INVALID_VALUE: end is below start
- *  GL_INVALID_ENUM: type is not GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT */
+ *  GL_INVALID_ENUM: type is not GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+ *  GL_INVALID_OPERATION: an array that is read is in a mapped buffer */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void *indices);
 /** GL 2.1 spec 2.8. Inside glBegin/glEnd: undefined.
  *  GL_INVALID_ENUM: format is not one of the fourteen
@@ -1377,38 +1382,70 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglBitmap(GLsizei width, GLsizei height, G
 
 /* 3.8 Texturing */
 
-/** GL 2.1 spec 3.8.1. */
+/** GL 2.1 spec 3.8.1.
+ *  GL_INVALID_ENUM: target, format or type is none
+ *  GL_INVALID_VALUE: level, a size, the border or the internal format is out of range
+ *  GL_INVALID_OPERATION: a packed type does not go with the format */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void *pixels);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void *pixels);
-/** GL 2.1 spec 3.8.2. */
+/** GL 2.1 spec 3.8.2.
+ *  GL_INVALID_ENUM: target is none
+ *  GL_INVALID_VALUE: level, a size or the border is out of range */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border);
+/** GL 2.1 spec 3.8.2.
+ *  GL_INVALID_ENUM: target is none
+ *  GL_INVALID_OPERATION: the level has no image
+ *  GL_INVALID_VALUE: the part is not within the image */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void *pixels);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void *pixels);
+/** GL 2.1 spec 3.8.2.
+ *  GL_INVALID_ENUM: target is none
+ *  GL_INVALID_OPERATION: the level has no image */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
-/** GL 2.1 spec 3.8.3. */
+/** GL 2.1 spec 3.8.3.
+ *  GL_INVALID_ENUM: internalformat is not a compressed format */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage3D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void *data);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage2D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void *data);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage1D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void *data);
+/** GL 2.1 spec 3.8.3.
+ *  GL_INVALID_ENUM: format is not a compressed format
+ *  GL_INVALID_OPERATION: the image is not of that format */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void *data);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void *data);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void *data);
-/** GL 2.1 spec 3.8.4. */
+/** GL 2.1 spec 3.8.4.
+ *  GL_INVALID_ENUM: target or pname is none
+ *  GL_INVALID_ENUM: pname has several values, in a call that gives one
+ *  GL_INVALID_ENUM: a filter, a wrap or a comparison is none
+ *  GL_INVALID_ENUM: GL_TEXTURE_MAG_FILTER is a mipmap filter
+ *  GL_INVALID_VALUE: a level is negative */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterf(GLenum target, GLenum pname, GLfloat param);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterfv(GLenum target, GLenum pname, const GLfloat *params);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameteri(GLenum target, GLenum pname, GLint param);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameteriv(GLenum target, GLenum pname, const GLint *params);
-/** GL 2.1 spec 3.8.12. */
+/** GL 2.1 spec 3.8.12.
+ *  GL_INVALID_ENUM: target is not a texture target
+ *  GL_INVALID_OPERATION: the texture has another target */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglBindTexture(GLenum target, GLuint texture);
+/** GL 2.1 spec 3.8.12.
+ *  GL_INVALID_VALUE: n is negative */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteTextures(GLsizei n, const GLuint *textures);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGenTextures(GLsizei n, GLuint *textures);
+/** GL 2.1 spec 3.8.12.
+ *  GL_INVALID_VALUE: n is negative, or a name is not a texture */
 LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglAreTexturesResident(GLsizei n, const GLuint *textures, GLboolean *residences);
+/** GL 2.1 spec 3.8.12.
+ *  GL_INVALID_VALUE: n is negative */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPrioritizeTextures(GLsizei n, const GLuint *textures, const GLfloat *priorities);
-/** GL 2.1 spec 3.8.13. */
+/** GL 2.1 spec 3.8.13.
+ *  GL_INVALID_ENUM: target or pname is none
+ *  GL_INVALID_ENUM: a mode, a source or an operand is none
+ *  GL_INVALID_VALUE: a scale is not 1, 2 or 4 */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnvf(GLenum target, GLenum pname, GLfloat param);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnvfv(GLenum target, GLenum pname, const GLfloat *params);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnvi(GLenum target, GLenum pname, GLint param);
@@ -1517,7 +1554,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyPixels(GLint x, GLint y, GLsizei wi
 
 /* 5.1 Evaluators */
 
-/** GL 2.1 spec 5.1. */
+/** GL 2.1 spec 5.1.
+ *  GL_INVALID_ENUM: target is not a map
+ *  GL_INVALID_VALUE: an interval is empty, a stride too small, or an order not 1 to GL_MAX_EVAL_ORDER */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble *points);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat *points);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble *points);
@@ -1533,11 +1572,14 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalCoord2f(GLfloat u, GLfloat v);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalCoord2fv(const GLfloat *u);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalPoint1(GLint i);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalPoint2(GLint i, GLint j);
-/** GL 2.1 spec 5.1. */
+/** GL 2.1 spec 5.1.
+ *  GL_INVALID_VALUE: a number of partitions is not above 0 */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMapGrid1d(GLint un, GLdouble u1, GLdouble u2);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMapGrid1f(GLint un, GLfloat u1, GLfloat u2);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2);
+/** GL 2.1 spec 5.1.
+ *  GL_INVALID_ENUM: mode is not GL_POINT, GL_LINE or, for a surface, GL_FILL */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalMesh1(GLenum mode, GLint i1, GLint i2);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
 
@@ -1545,13 +1587,28 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalMesh2(GLenum mode, GLint i1, GLint 
 
 /** GL 2.1 spec 5.2. */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglInitNames(void);
+/** GL 2.1 spec 5.2.
+ *  GL_STACK_UNDERFLOW: the stack is empty, in selection */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPopName(void);
+/** GL 2.1 spec 5.2.
+ *  GL_STACK_OVERFLOW: the stack is full, in selection */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPushName(GLuint name);
+/** GL 2.1 spec 5.2.
+ *  GL_INVALID_OPERATION: the stack is empty, in selection */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadName(GLuint name);
+/** GL 2.1 spec 5.2.
+ *  GL_INVALID_ENUM: mode is not GL_RENDER, GL_SELECT or GL_FEEDBACK
+ *  GL_INVALID_OPERATION: there is no buffer for the mode */
 LEGACY_GL_API GLint LEGACY_GL_APIENTRY lglRenderMode(GLenum mode);
+/** GL 2.1 spec 5.2.
+ *  GL_INVALID_VALUE: size is negative
+ *  GL_INVALID_OPERATION: in selection */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSelectBuffer(GLsizei size, GLuint *buffer);
-/** GL 2.1 spec 5.3. */
+/** GL 2.1 spec 5.3.
+ *  GL_INVALID_VALUE: size is negative
+ *  GL_INVALID_ENUM: type is none of the five */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFeedbackBuffer(GLsizei size, GLenum type, GLfloat *buffer);
+/** GL 2.1 spec 5.3. */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPassThrough(GLfloat token);
 
 /* 5.4 Display lists */

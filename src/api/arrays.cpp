@@ -110,6 +110,30 @@ void interleaved_arrays(Context& c, GLenum format_name, GLsizei stride, const vo
   set(kVertexArray, format->vertex_size, GL_FLOAT, format->vertex_offset);
 }
 
+unsigned pointer_index(GLenum name, unsigned client_unit) {
+  switch (name) {
+    case GL_VERTEX_ARRAY_POINTER: return kVertexArray;
+    case GL_NORMAL_ARRAY_POINTER: return kNormalArray;
+    case GL_COLOR_ARRAY_POINTER: return kColorArray;
+    case GL_SECONDARY_COLOR_ARRAY_POINTER: return kSecondaryColorArray;
+    case GL_FOG_COORD_ARRAY_POINTER: return kFogCoordArray;
+    case GL_INDEX_ARRAY_POINTER: return kIndexArray;
+    case GL_EDGE_FLAG_ARRAY_POINTER: return kEdgeFlagArray;
+    case GL_TEXTURE_COORD_ARRAY_POINTER: return kTexCoordArray + client_unit;
+    default: return kArrayCount;
+  }
+}
+
+// GL 2.1 spec 6.1.11
+void get_pointer(Context& c, GLenum name, void** pointer) {
+  if (inside(c)) return;
+  const unsigned array = pointer_index(name, c.client_active_texture);
+  // glFeedbackBuffer and glSelectBuffer are not built: their pointers are the initial ones.
+  const bool initial = name == GL_FEEDBACK_BUFFER_POINTER || name == GL_SELECTION_BUFFER_POINTER;
+  if (array == kArrayCount && !initial) return raise_error(c, GL_INVALID_ENUM);
+  if (pointer) *pointer = initial ? nullptr : const_cast<void*>(c.arrays.arrays[array].pointer);
+}
+
 }  // namespace
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -143,3 +167,4 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglActiveTexture(GLenum texture) { dispatc
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) {
   execute_now<interleaved_arrays>(format, stride, pointer);
 }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPointerv(GLenum pname, void** params) { execute_now<get_pointer>(pname, params); }

@@ -79,7 +79,7 @@ void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
         array.buffer = 0;
         array.buffer_deleted = true;
       }
-    c.backend->buffers().remove(name);
+    c.backend->delete_buffer(name);
   }
 }
 

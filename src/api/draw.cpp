@@ -29,29 +29,26 @@ bool refused(Context& c, GLenum error) {
   return true;
 }
 
-bool executes(const Context& c) {
-  return !c.lists.compiling || c.lists.mode == GL_COMPILE_AND_EXECUTE;
+void draw(Context& c, const ArrayDraw& arguments) {
+  if (arguments.count == 0) return;
+  if (c.lists.compiling) {
+    ReadableArrays readable(c);
+    if (arguments.is_indexed())
+      record_elements(c, readable.views(), arguments.mode, readable.elements(arguments));
+    else
+      record_arrays(c, readable.views(), arguments.mode, arguments.first, arguments.count);
+    if (c.lists.mode == GL_COMPILE) return;
+  }
+  if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
+  draw_arrays(c, arguments);
 }
 
 void draw_range(Context& c, GLenum mode, GLint first, GLsizei count) {
-  if (count == 0) return;
-  const auto from = static_cast<std::uint32_t>(first), length = static_cast<std::uint32_t>(count);
-  if (c.lists.compiling) record_arrays(c, ReadableArrays(c).views(), mode, from, length);
-  if (!executes(c)) return;
-  if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
-  draw_arrays(c, mode, from, length);
+  draw(c, {mode, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), 0, nullptr});
 }
 
 void draw_listed(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-  if (count == 0) return;
-  const auto length = static_cast<std::uint32_t>(count);
-  if (c.lists.compiling) {
-    ReadableArrays readable(c);
-    record_elements(c, readable.views(), mode, readable.elements(type, indices, length));
-  }
-  if (!executes(c)) return;
-  if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
-  draw_elements(c, mode, length, type, indices);
+  draw(c, {mode, 0, static_cast<std::uint32_t>(count), type, indices});
 }
 
 GLenum arrays_error(Context& c, GLenum mode, GLint first, GLsizei count) {

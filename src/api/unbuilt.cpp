@@ -430,10 +430,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGeniv(GLenum, GLenum, GLint *) {
   report_unbuilt("glGetTexGeniv");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPointerv(GLenum, void **) {
-  report_unbuilt("glGetPointerv");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
   report_unbuilt("glCopyTexImage1D");
 }

@@ -136,6 +136,8 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
   known = true;
   const GLenum light = capability - GL_LIGHT0;
   if (light < context.lighting.lights.size()) return context.lighting.lights[light].enabled;
+  const unsigned array = array_index(capability, context.client_active_texture);
+  if (array != kArrayCount) return context.arrays.arrays[array].enabled;
   switch (capability) {
     case GL_LIGHTING: return context.lighting.enabled;
     case GL_COLOR_MATERIAL: return context.lighting.color_material.enabled;

@@ -52,6 +52,8 @@ using QueryGroups = std::span<const std::span<const Query>>;
 
 /// State that this context keeps.
 QueryGroups state_queries();
+/// The forms of the client arrays, and buffer bindings.
+QueryGroups array_queries();
 /// What the driver limits, and what its framebuffer has.
 QueryGroups driver_queries();
 /// State of GL 1.5 that no entry point here changes yet: its initial value.

@@ -1,0 +1,144 @@
+// Client arrays that lie in buffer objects in a form that the core profile takes: drawn from where they are.
+#include <optional>
+
+#include "backend/array_draw.hpp"
+#include "backend/backend.hpp"
+#include "immediate/primitives.hpp"
+#include "shadergen/attributes.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// A field that the state may make relevant, the array that it comes from, and where the programs expect it.
+struct Source {
+  std::uint8_t field;  ///< 0: always
+  ArrayIndex array;
+  AttributeLocation location;
+};
+constexpr Source kSources[] = {
+    {0, kVertexArray, kLocationPosition},
+    {kFieldNormal, kNormalArray, kLocationNormal},
+    {kFieldColor, kColorArray, kLocationColor},
+    {kFieldSecondaryColor, kSecondaryColorArray, kLocationSecondaryColor},
+};
+
+glm::vec4 current_value(const Context& context, ArrayIndex array) {
+  switch (array) {
+    case kNormalArray: return glm::vec4(context.current.normal, 0);
+    case kSecondaryColorArray: return context.current.secondary_color;
+    default: return context.current.color;
+  }
+}
+
+/// What the driver would fetch is what the specification of OpenGL 1.5 says. Drivers differ in how they normalise
+/// signed integers: (2c + 1) / (2^b - 1) of GL 2.1 table 2.9, or the later c / (2^(b-1) - 1).
+bool driver_fetches(const Driver& driver, unsigned array, GLenum type) {
+  switch (type) {
+    case GL_BYTE:
+    case GL_SHORT:
+    case GL_INT: return !is_normalised(array);
+    case GL_DOUBLE: return !driver.is_es();
+    default: return true;
+  }
+}
+
+/// The attributes of the arrays that matter; nothing when one of them cannot be drawn from where it is.
+std::optional<BufferAttributes> find_attributes(Context& context, const VertexLayout& layout,
+                                                const ArrayDraw& draw) {
+  BufferAttributes found;
+  for (const Source& source : kSources) {
+    if (source.field && !(layout.fields & source.field)) continue;
+    const ClientArray& array = context.arrays.arrays[source.array];
+    if (!array.enabled) continue;
+    BufferObject* const buffer = context.backend->buffers().find(array.buffer);
+    if (!buffer || !driver_fetches(context.backend->driver, source.array, array.type)) return {};
+    const ArrayView view = make_view(array, nullptr);
+    const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
+    const std::uint64_t end = offset +
+                              (std::uint64_t{draw.first} + draw.count - 1) * view.stride +
+                              std::uint64_t{view.size} * type_size(view.type);
+    // What a draw reads past the end is the driver's business, and not every driver's is harmless.
+    if (!draw.is_indexed() && end > static_cast<std::uint64_t>(buffer->size)) return {};
+    found.add({source.location, buffer->driver_name, array.size, array.type, array.stride,
+               is_normalised(source.array), array.pointer});
+  }
+  return found;
+}
+
+}  // namespace
+
+void Backend::delete_buffer(GLuint name) {
+  if (const BufferObject* const buffer = buffers_.find(name)) {
+    buffer_arrays_.forget(buffer->driver_name);
+    bound_array_ = 0;
+  }
+  buffers_.remove(name);
+}
+
+void Backend::set_constant_attributes(const Context& context, const VertexLayout& layout) {
+  for (const Source& source : kSources) {
+    if (!(layout.fields & source.field) || context.arrays.arrays[source.array].enabled) continue;
+    const glm::vec4 value = current_value(context, source.array);
+    driver.VertexAttrib4fv(source.location, &value[0]);
+  }
+}
+
+const void* Backend::write_indices(Context& context, const void* indices, std::size_t size) {
+  if (size == 0) return nullptr;
+  context.statistics.index_bytes_uploaded += size;
+  return reinterpret_cast<const void*>(indices_.write(indices, size, sizeof(std::uint32_t)));
+}
+
+bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
+  const ClientArray& positions = context.arrays.arrays[kVertexArray];
+  if (is_unfilled(context.raster.polygon)) return false;  // the primitives themselves are needed
+  VertexLayout layout = Recorder::relevant_layout(context);
+  if (positions.size == 4) layout.fields |= kFieldPositionW;
+  std::optional<BufferAttributes> attributes = find_attributes(context, layout, draw);
+  if (!attributes) return false;
+
+  const bool native = draws_without_indices(draw.mode);
+  const BufferObject* const elements =
+      draw.is_indexed() ? buffers_.find(context.arrays.element_buffer) : nullptr;
+  if (draw.is_indexed() && !elements && !draw.elements) return true;
+  if (elements && reinterpret_cast<std::uintptr_t>(draw.elements) +
+                          std::uint64_t{draw.count} * type_size(draw.element_type) >
+                      static_cast<std::uint64_t>(elements->size))
+    return false;
+  flush_pending(context);
+  prepare(context, layout);
+  if (!use_program(context, draw.mode == GL_POINTS)) return true;
+  attributes->index_buffer = elements && native ? elements->driver_name : indices_.name();
+  bind_vertex_array(buffer_arrays_.find_or_build(*attributes));
+  set_constant_attributes(context, layout);
+
+  GLsizei count = static_cast<GLsizei>(draw.count);
+  GLenum type = draw.element_type;
+  const void* offset = draw.elements;
+  if (!native) {
+    ReadableArrays readable(context);
+    const std::vector<std::uint32_t> named =
+        draw.is_indexed() ? read_elements(readable.elements(draw)) : std::vector<std::uint32_t>();
+    const auto available = draw.is_indexed() ? static_cast<std::uint32_t>(named.size()) : draw.count;
+    index_scratch_.clear();
+    append_indices({draw.mode, draw.first, available, draw.is_indexed()}, named, 0,
+                   derived_.key.flat, index_scratch_);
+    count = static_cast<GLsizei>(index_scratch_.size());
+    type = GL_UNSIGNED_INT;
+    offset = write_indices(context, index_scratch_.data(),
+                           index_scratch_.size() * sizeof(std::uint32_t));
+  } else if (draw.is_indexed() && !elements) {
+    offset = write_indices(context, draw.elements, draw.count * std::size_t{type_size(type)});
+  }
+  if (draw.is_indexed() || !native)
+    driver.DrawElements(core_mode(draw.mode), count, type, offset);
+  else
+    driver.DrawArrays(draw.mode, static_cast<GLint>(draw.first), count);
+  ++context.statistics.draws;
+  ++context.statistics.batches;
+  context.statistics.vertices += draw.count;
+  return true;
+}
+
+}  // namespace legacy_gl
