@@ -176,6 +176,20 @@ Scene normal_type_scene(std::string name, GLenum type, double unit) {
           }};
 }
 
+void draw_with_byte_normals(const GlFunctions& gl) {
+  begin_lit_scene(gl);
+  gl.Begin(GL_TRIANGLES);
+  for (const GLushort index : shared_mesh().triangle_indices) {
+    const MeshVertex& vertex = shared_mesh().vertices[index];
+    std::array<GLbyte, 3> normal{};
+    for (std::size_t i = 0; i < 3; ++i)
+      normal[i] = static_cast<GLbyte>(static_cast<double>(vertex.normal[i]) * 127);
+    gl.Normal3bv(normal.data());
+    gl.Vertex3fv(vertex.position.data());
+  }
+  gl.End();
+}
+
 template <typename Index>
 Scene index_type_scene(std::string name, GLenum type) {
   return {std::move(name), [=](const GlFunctions& gl) {
@@ -254,7 +268,12 @@ std::vector<Scene> arrays_scenes() {
       color_type_scene<GLuint>("color_unsigned_int_3", GL_UNSIGNED_INT, 3, 4294967295));
   scenes.push_back(color_type_scene<GLfloat>("color_float_4", GL_FLOAT, 4, 1));
   scenes.push_back(color_type_scene<GLdouble>("color_double_4", GL_DOUBLE, 4, 1));
-  scenes.push_back(normal_type_scene<GLbyte>("normal_byte", GL_BYTE, 127));
+  // GL 2.1 spec table 2.9 maps the byte c to (2c + 1) / 255, in arrays as in glNormal3b. Mesa does
+  // for glNormal3b, but its arrays follow OpenGL 4.2, c / 127.
+  Scene byte_normals = normal_type_scene<GLbyte>("normal_byte", GL_BYTE, 127);
+  byte_normals.traits.mesa_departure = "signed arrays";
+  byte_normals.traits.reference = draw_with_byte_normals;
+  scenes.push_back(std::move(byte_normals));
   scenes.push_back(normal_type_scene<GLshort>("normal_short", GL_SHORT, 32767));
   scenes.push_back(normal_type_scene<GLint>("normal_int", GL_INT, 2147483647));
   scenes.push_back(normal_type_scene<GLdouble>("normal_double", GL_DOUBLE, 1));

@@ -91,8 +91,9 @@ void draw_points_under_perspective(const GlFunctions& gl, bool in_the_modelview)
   }
   gl.Begin(GL_POINTS);
   for (int i = 0; i < 25; ++i) {
-    const float x = 0.6F * static_cast<float>(i % 5 - 2);
-    const float y = 0.6F * static_cast<float>(i / 5 - 2);
+    // Off the middle: a point exactly between two pixels would go by the last bit of x / w.
+    const float x = 0.6F * static_cast<float>(i % 5 - 2) + 0.013F;
+    const float y = 0.6F * static_cast<float>(i / 5 - 2) + 0.017F;
     const float z = -4.0F - 0.5F * static_cast<float>(i % 3);
     const float w = in_the_modelview ? 1.0F : perspective * z + 1.0F;
     gl.Normal3f(0.1F, 0.2F, 0.95F);
@@ -109,6 +110,7 @@ void draw_m4(const GlFunctions& gl, bool two_sided) {
   gl.Lightfv(GL_LIGHT0, GL_POSITION, vec(1, 0, -0.9F, 0));
   gl.Materialf(GL_FRONT, GL_SHININESS, 0);
   gl.Materialf(GL_BACK, GL_SHININESS, 10);
+  gl.FrontFace(GL_CW);
   gl.Begin(GL_TRIANGLE_STRIP);
   for (int i = 0; i < 8; ++i) {
     const float f = static_cast<float>(i);

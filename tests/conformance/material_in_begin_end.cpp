@@ -77,7 +77,21 @@ std::vector<Scene> material_in_begin_end_scenes() {
       change_scene("polygon", property(GL_FRONT, GL_DIFFUSE), GL_POLYGON),
       change_scene("triangles", property(GL_FRONT, GL_EMISSION), GL_TRIANGLES),
       change_scene("line_loop", property(GL_FRONT, GL_DIFFUSE), GL_LINE_LOOP),
-      change_scene("back_two_sided", property(GL_BACK, GL_DIFFUSE), GL_TRIANGLE_FAN, two_sided),
+      // Every face shows its back, so that the material of both is that of the back; tracked or set
+      // per vertex, the back's alone comes out wrong in Mesa.
+      {"back_two_sided",
+       [](const GlFunctions& gl) {
+         begin_lit_scene(gl);
+         two_sided(gl);
+         draw_fan(gl, property(GL_BACK, GL_DIFFUSE), GL_TRIANGLE_FAN);
+       },
+       {.mesa_departure = "M6",
+        .reference =
+            [](const GlFunctions& gl) {
+              begin_lit_scene(gl);
+              two_sided(gl);
+              draw_fan(gl, property(GL_FRONT_AND_BACK, GL_DIFFUSE), GL_TRIANGLE_FAN);
+            }}},
       change_scene("both_two_sided", property(GL_FRONT_AND_BACK, GL_SPECULAR), GL_TRIANGLE_FAN,
                    two_sided),
       change_scene(

@@ -41,7 +41,10 @@ std::unique_ptr<RenderContext> make_context(Dialect dialect, int size, PixelForm
 RenderPair& render_pair(Dialect dialect, int size, PixelFormat format) {
   RenderPair& pair = pairs[{dialect, size, format}];
   if (!pair.ours) {
-    pair.mesa = std::make_unique<MesaContext>(size, size, format);
+    // The GLES context draws into a framebuffer object, so its reference does.
+    pair.mesa = std::make_unique<MesaContext>(
+        size, size, format,
+        dialect == Dialect::es_300 ? Target::framebuffer_object : Target::window);
     pair.ours = make_context(dialect, size, format);
   }
   return pair;

@@ -57,10 +57,16 @@ class RenderContext {
   PixelFormat color_format_;
 };
 
+// A window's surface (here OSMesa's buffer) or a framebuffer object. To Mesa a window is upside
+// down: a vertex exactly between two pixel rows falls to the other one, and interpolation rounds
+// otherwise.
+enum class Target { window, framebuffer_object };
+
 // Mesa's fixed function: an OSMesa compatibility context.
 class MesaContext final : public RenderContext {
  public:
-  MesaContext(int width, int height, PixelFormat color_format = PixelFormat::rgba8);
+  MesaContext(int width, int height, PixelFormat color_format = PixelFormat::rgba8,
+              Target target = Target::window);
   ~MesaContext() override;
   Image read() override;
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <EGL/egl.h>
-#include <GLES3/gl3.h>
 
-#include "support/image.hpp"
+#include <memory>
+
+#include "support/framebuffer.hpp"
 
 namespace legacy_gl::test {
 
@@ -19,18 +20,11 @@ class EglContext {
 
   void bind();
   static void release();
-  Image read() const;
+  Image read() const { return framebuffer_->read(); }
 
  private:
-  void create_framebuffer(int width, int height, PixelFormat color_format);
-
   EGLContext handle_ = EGL_NO_CONTEXT;
-  GLuint framebuffer_ = 0;
-  GLuint color_renderbuffer_ = 0;
-  GLuint depth_stencil_renderbuffer_ = 0;
-  int width_;
-  int height_;
-  PixelFormat color_format_;
+  std::unique_ptr<Framebuffer> framebuffer_;
 };
 
 }  // namespace legacy_gl::test
