@@ -117,10 +117,9 @@ std::uint32_t Backend::upload_vertices(Context& context) {
 }
 
 /// Whether the reference draws this run in its primitive pipeline, which splits quads the other way.
-bool Backend::splits_in_pipeline(const Context& context, const PrimitiveRun& run) const {
+bool Backend::splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const {
   if (run.mode != GL_QUADS || run.indexed) return false;
-  if (derived_.key.flat || (context.lighting.enabled && context.lighting.model.two_side)) return true;
-  const Recorder& recorder = context.recorder;
+  if (derived_.key.flat) return true;
   const unsigned stride = recorder.offsets().stride;
   return any_outside(derived_.transform.modelview_projection,
                      recorder.data() + std::size_t{run.first} * stride, run.count, stride,
@@ -144,7 +143,7 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
     do {
       const PrimitiveRun& run = runs[end++];
       if (indexed) {
-        append_indices(run, recorder.elements(), base_vertex, splits_in_pipeline(context, run),
+        append_indices(run, recorder.elements(), base_vertex, splits_in_pipeline(recorder, run),
                        index_scratch_);
       } else {
         first_scratch_.push_back(static_cast<GLint>(run.first + base_vertex));

@@ -43,7 +43,7 @@ class Backend {
  private:
   void prepare(Context& context, const VertexLayout& layout);
   bool use_program(Context& context, bool points);
-  bool splits_in_pipeline(const Context& context, const PrimitiveRun& run) const;
+  bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
   bool use_program(Context& context, const ProgramKey& key);
   /// Draws the batch when it has polygons, which become lines or points; otherwise false.
   bool draw_unfilled(Context& context);

@@ -55,6 +55,7 @@ void emit_varyings(Writer& w, const ProgramKey& key, const char* direction) {
 void emit_point(Writer& w, Dialect dialect) {
   if (dialect == Dialect::kEs300) w.line("gl_PointSize = point.x;");
   w.line("vec2 window = gl_Position.xy / gl_Position.w * viewport.xy + viewport.zw;");
+  w.line("window = floor(window * 256.0 + 0.5) / 256.0;  // as rasterisers snap");
   w.line("vec2 center = floor(window + 0.5 - point.y) + point.y;");
   w.line("vec2 snapped = (center - viewport.zw) / viewport.xy * gl_Position.w;");
   w.line("vec2 edge = vec2(gl_Position.w);");
