@@ -1,5 +1,6 @@
 #include "immediate/array_record.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -78,8 +79,10 @@ void copy_vertices(const ArrayViews& views, const RecordedArrays& head, std::uin
 
 void record_arrays(Context& context, const ArrayViews& views, GLenum mode, std::uint32_t first,
                    std::uint32_t count) {
-  count = whole_primitives(mode, count);
-  if (count == 0 || !views[kVertexArray].data) return;
+  const ArrayView& positions = views[kVertexArray];
+  if (!positions.data || first >= positions.readable) return;
+  count = whole_primitives(mode, std::min(count, positions.readable - first));
+  if (count == 0) return;
   const RecordedArrays head = make_head(views, mode, count, 0);
   copy_vertices(views, head, first, count, reinterpret_cast<float*>(append(context, head)));
 }
@@ -90,7 +93,8 @@ void record_elements(Context& context, const ArrayViews& views, GLenum mode,
   if (count == 0 || !views[kVertexArray].data) return;
   const std::vector<std::uint32_t> indices = read_elements({elements.data, elements.type, count});
   const ElementRange range = element_range({elements.data, elements.type, count});
-  const bool shared = worth_indexing(range, count);
+  const bool shared =
+      worth_indexing(range, count) && range.highest < views[kVertexArray].readable;
   const std::uint32_t vertex_count = shared ? range.highest - range.lowest + 1 : count;
   const RecordedArrays head = make_head(views, mode, vertex_count, shared ? count : 0);
   std::byte* const data = append(context, head);
