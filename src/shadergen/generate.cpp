@@ -61,6 +61,9 @@ void emit_point(Writer& w, Dialect dialect) {
   w.line("vec2 edge = vec2(gl_Position.w);");
   w.line("bool visible = all(lessThanEqual(abs(gl_Position.xy), edge));");
   w.line("gl_Position.xy = visible ? clamp(snapped, -edge, edge) : gl_Position.xy;");
+  // OpenGL ES draws the part of a point that reaches into view; OpenGL clips the point (GL 2.1 spec 2.12).
+  if (dialect == Dialect::kEs300)
+    w.line("gl_Position = visible ? gl_Position : vec4(0.0, 0.0, 2.0, 1.0);");
 }
 
 std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
