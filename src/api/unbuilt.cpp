@@ -29,10 +29,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage2D(GLenum, GLint, GLint, GLsize
   report_unbuilt("glTexImage2D");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) {
-  report_unbuilt("glReadPixels");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexImage(GLenum, GLint, GLenum, GLenum, void *) {
   report_unbuilt("glGetTexImage");
 }

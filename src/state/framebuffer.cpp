@@ -48,7 +48,8 @@ bool has_front(const Context& context) {
 GLenum driver_buffer(const Context& context, GLenum mode) {
   if (mode == GL_NONE) return GL_NONE;
   if (draws_to_framebuffer_object(context)) return GL_COLOR_ATTACHMENT0;
-  return context.backend->driver.is_es() ? GLenum{GL_BACK} : mode;
+  if (context.backend->driver.is_es()) return GL_BACK;
+  return mode == GL_BACK && !is_double_buffered(context) ? GLenum{GL_FRONT} : mode;
 }
 
 }  // namespace
@@ -97,7 +98,9 @@ GLenum draw_buffer_error(const Context& context, GLenum mode) {
     case GL_FRONT_AND_BACK: return GL_NO_ERROR;
     case GL_FRONT:
     case GL_FRONT_LEFT: return has_front(context) ? GL_NO_ERROR : GL_INVALID_OPERATION;
-    case GL_BACK:
+    // Without a back buffer the front one stands for it: programs written for windows run without
+    // one.
+    case GL_BACK: return GL_NO_ERROR;
     case GL_BACK_LEFT: return is_double_buffered(context) ? GL_NO_ERROR : GL_INVALID_OPERATION;
     case GL_RIGHT:
     case GL_FRONT_RIGHT:
