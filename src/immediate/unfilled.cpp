@@ -81,6 +81,9 @@ class Expander {
     const bool offset = offset_[0] || offset_[1];
     needs_facing_ = modes_[0] != modes_[1] || culls_[0] != culls_[1] || state.two_side;
     if (needs_facing_ || offset) transform_vertices();
+    const std::array<GLint, 4>& box = state.viewport.box;
+    half_size_ = glm::vec2(static_cast<float>(box[2]), static_cast<float>(box[3])) / 2.0f;
+    center_ = half_size_ + glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1]));
 
     out_.layout = batch.layout;
     out_.layout.fields &= static_cast<std::uint8_t>(~kFieldEdgeFlag);
@@ -130,30 +133,23 @@ class Expander {
   }
 
   glm::vec2 window(const glm::vec4& clip) const {
-    const ViewportState& viewport = state_.viewport;
-    const glm::vec2 half_size(static_cast<float>(viewport.box[2]) * 0.5f, static_cast<float>(viewport.box[3]) * 0.5f);
-    const glm::vec2 center = half_size + glm::vec2(static_cast<float>(viewport.box[0]), static_cast<float>(viewport.box[1]));
-    const float inverse_w = 1 / clip.w;
-    return glm::vec2(clip) * inverse_w * half_size + center;
+    return glm::vec2(clip) * (1 / clip.w) * half_size_ + center_;
   }
 
-  /// Positive where the vertices run counter-clockwise in the window. The homogeneous form serves
-  /// vertices behind the eye; the other gives exactly 0 where two vertices meet.
-  double winding(const Triangle& triangle) const {
+  /// Positive for front faces, in window coordinates (GL 2.1 spec 2.14.1). Single precision, so
+  /// that what the window cannot show has no area; the homogeneous form serves vertices behind the
+  /// eye.
+  double facing(const Triangle& triangle) const {
     const glm::vec4 &a = clip_[triangle.vertex[0]], &b = clip_[triangle.vertex[1]],
                     &c = clip_[triangle.vertex[2]];
+    double area = 0;
     if (a.w > 0 && b.w > 0 && c.w > 0) {
-      const glm::vec2 p = window(a), q = window(b), r = window(c);
-      const glm::vec2 e = p - r, f = q - r;
-      return static_cast<double>(e.x * f.y - e.y * f.x);
+      const glm::vec2 e = window(a) - window(c), f = window(b) - window(c);
+      area = static_cast<double>(e.x * f.y - e.y * f.x);
+    } else {
+      area = determinant({a.x, a.y, a.w}, {b.x, b.y, b.w}, {c.x, c.y, c.w});
     }
-    return determinant({a.x, a.y, a.w}, {b.x, b.y, b.w}, {c.x, c.y, c.w});
-  }
-
-  /// GL 2.1 spec 2.14.1: no area is a back face.
-  bool is_back(const Triangle& triangle) const {
-    const double turn = winding(triangle);
-    return !(state_.polygon.front_face == GL_CCW ? turn > 0 : turn < 0);
+    return state_.polygon.front_face == GL_CCW ? area : -area;
   }
 
   /// GL 2.1 spec 3.5.5: m * factor + r * units, in window depth.
@@ -192,7 +188,9 @@ class Expander {
   }
 
   void expand(const Triangle& triangle) {
-    const bool back = needs_facing_ && is_back(triangle);
+    // No area is a back face, but the reference colours it as a front face.
+    const double face = needs_facing_ ? facing(triangle) : 1;
+    const bool back = !(face > 0), back_color = state_.two_side && face < 0;
     const GLenum mode = modes_[back];
     if (mode != GL_FILL && (culls_[back] || !triangle.edges)) return;
     const double offset = offset_[back] ? depth_offset(triangle) : 0;
@@ -205,13 +203,13 @@ class Expander {
         for (unsigned i = 0; i < 3; ++i) add_index(index[i]);
         break;
       case GL_LINE:
-        open_group(GL_LINES, back && state_.two_side);
+        open_group(GL_LINES, back_color);
         if (triangle.edges & kEdgeCA) add_line(index[2], index[0]);
         if (triangle.edges & kEdgeAB) add_line(index[0], index[1]);
         if (triangle.edges & kEdgeBC) add_line(index[1], index[2]);
         break;
       default:
-        open_group(GL_POINTS, back && state_.two_side);
+        open_group(GL_POINTS, back_color);
         for (unsigned i = 0; i < 3; ++i)
           if (triangle.edges & 1u << i) add_index(index[i]);
     }
@@ -260,6 +258,7 @@ class Expander {
   std::array<GLenum, 2> modes_{};  ///< by face: front, back
   std::array<bool, 2> culls_{}, offset_{};
   bool needs_facing_ = false;
+  glm::vec2 half_size_{1}, center_{0};  ///< of the viewport, in window coordinates
   std::vector<glm::vec4> clip_;
 };
 

@@ -19,6 +19,8 @@ constexpr std::uint8_t kFields = kFieldColor | kFieldEdgeFlag;
 // A batch of vertices on a circle, counter-clockwise, whose red is the vertex's number.
 class Unfilled : public testing::Test {
  protected:
+  Unfilled() { state_.viewport.box = {0, 0, 100, 100}; }
+
   void add_run(GLenum mode, const std::vector<bool>& edge_flags) {
     const auto first = static_cast<std::uint32_t>(vertices_.size() / stride_);
     const std::size_t count = edge_flags.size();
@@ -205,6 +207,17 @@ TEST_F(Unfilled, BackFacesHaveTheirOwnGroupsOnlyWhenTheyHaveTheirOwnColours) {
   state_.two_side = true;
   EXPECT_EQ(expand().groups,
             (std::vector<PrimitiveGroup>{{GL_LINES, false, 0, 6}, {GL_LINES, true, 6, 6}}));
+}
+
+TEST_F(Unfilled, WithoutAreaATriangleIsABackFaceOfTheFrontColour) {
+  set_modes(GL_LINE, GL_POINT);
+  state_.two_side = true;
+  add_run(GL_TRIANGLES, 3);
+  // Far less than the window shows.
+  for (unsigned k = 0; k < 3; ++k) vertices_[stride_ + k] = vertices_[k] + (k == 1 ? 1e-8F : 0);
+  EXPECT_EQ(expand().groups, (std::vector<PrimitiveGroup>{{GL_POINTS, false, 0, 3}}));
+  state_.polygon.cull_enabled = true;
+  EXPECT_TRUE(expand().groups.empty());
 }
 
 TEST_F(Unfilled, FlatShadingGivesAllCornersTheProvokingVertex) {
