@@ -149,6 +149,17 @@ void legacy_gl_reset_statistics(void) {
   if (current_context) current_context->statistics = {};
 }
 
+size_t legacy_gl_get_program_source(char* text, size_t size) {
+  if (!current_context) return 0;
+  const std::string source = current_context->backend->program_source(*current_context);
+  if (text && size) {
+    const std::size_t count = std::min(size - 1, source.size());
+    std::memcpy(text, source.data(), count);
+    text[count] = 0;
+  }
+  return source.size();
+}
+
 const char* legacy_gl_status_string(legacy_gl_status status) {
   switch (status) {
     case LEGACY_GL_OK: return "no error";

@@ -5,6 +5,7 @@
 
 #include "immediate/clip_test.hpp"
 #include "immediate/primitives.hpp"
+#include "shadergen/generate.hpp"
 
 namespace legacy_gl {
 
@@ -28,6 +29,13 @@ Backend::Backend(const Driver& loaded)
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);
+}
+
+std::string Backend::program_source(Context& context) {
+  flush_pending(context);
+  derived_.update(context, Recorder::relevant_layout(context), driver.dialect);
+  const ProgramSource source = generate(derived_.key, driver.dialect);
+  return source.vertex + "\n" + source.fragment;
 }
 
 void Backend::reset_driver_state() {

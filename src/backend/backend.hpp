@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "backend/buffer_arrays.hpp"
@@ -13,7 +14,9 @@
 
 namespace legacy_gl {
 
+class ArrayGather;
 struct ArrayDraw;
+struct ElementRange;
 
 /// The driver's side of a context: everything here may call the real GL, and nothing else may.
 class Backend {
@@ -26,6 +29,9 @@ class Backend {
   /// Brings blend, depth, masks, viewport and their like in the driver up to the context's.
   void apply_raster(Context& context);
 
+  /// The text of both stages of the program that polygons are drawn with in the present state.
+  std::string program_source(Context& context);
+
   /// Forgets what is believed to be bound.
   void reset_driver_state();
 
@@ -37,6 +43,9 @@ class Backend {
   /// Draws the enabled client arrays from the buffer objects that they lie in, without a copy. False when one of them
   /// does not lie in one, or not in a form that the driver draws.
   bool draw_from_buffers(Context& context, const ArrayDraw& draw);
+  /// Draws many vertices of client arrays: converted straight into the driver's memory. False when that is not worth
+  /// it, or when the primitives themselves are needed.
+  bool draw_streamed(Context& context, const ArrayDraw& draw);
 
   const Driver driver;
 
@@ -52,6 +61,8 @@ class Backend {
   void bind_vertex_array(GLuint array);
   void draw_runs(Context& context, std::uint32_t base_vertex);
   std::uint32_t upload_vertices(Context& context);
+  std::optional<std::uint32_t> stream_vertices(Context& context, const ArrayGather& gather,
+                                               const ElementRange& range);
   void set_constant_attributes(const Context& context, const VertexLayout& layout);
   const void* write_indices(Context& context, const void* indices, std::size_t size);
 
@@ -69,6 +80,7 @@ class Backend {
   GLuint bound_array_ = 0;
   bool bindings_known_ = false;
   std::vector<std::uint32_t> index_scratch_;
+  std::vector<float> float_scratch_;
   std::vector<std::byte> block_scratch_;
   ExpandedBatch unfilled_scratch_;
   std::vector<GLint> first_scratch_;

@@ -358,6 +358,49 @@ TEST(ArraysRenders, SharedVerticesAreUploadedOnce) {
   EXPECT_EQ(statistics().vertex_bytes_uploaded, 100U * 7 * sizeof(float));
 }
 
+// As many vertices as go to the driver without a detour.
+TEST_P(ArraysMode, RendersManyVerticesAsMesa) {
+  std::vector<Vertex> vertices;
+  for (unsigned i = 0; i < 3001; ++i) {
+    const float x = static_cast<float>(i * 7 % 61) / 31 - 0.95F, y = static_cast<float>(i * 11 % 53) / 27 - 0.95F;
+    vertices.push_back({{x, y, static_cast<float>(i) / 3001},
+                        {static_cast<float>(i % 7) / 6, static_cast<float>(i % 5) / 4, static_cast<float>(i % 3) / 2, 1}});
+  }
+  std::vector<GLushort> indices;
+  for (unsigned i = 0; i < 2401; ++i) indices.push_back(static_cast<GLushort>(100 + i * 13 % 2900));
+  for (const bool indexed : {false, true})
+    expect_as_mesa(
+        [&](const GlFunctions& gl) {
+          gl.Enable(GL_DEPTH_TEST);
+          gl.ShadeModel(GL_FLAT);
+          point_at(gl, vertices);
+          gl.Rotatef(20, 0, 0, 1);
+          gl.Scalef(0.7F, 0.7F, 0.7F);
+          gl.Begin(GL_POINTS);
+          gl.Vertex2f(0.9F, 0.9F);
+          gl.End();
+          if (indexed) gl.DrawElements(GetParam(), 2399, GL_UNSIGNED_SHORT, &indices[1]);
+          else gl.DrawArrays(GetParam(), 3, 2990);
+        },
+        std::string(indexed ? "many_elements_" : "many_arrays_") + kModeNames[GetParam()]);
+}
+
+TEST(ArraysRenders, ManyPositionsOfFourComponents) {
+  std::vector<GLdouble> positions;
+  for (int i = 0; i < 3000; ++i) {
+    const double w = 1 + i % 4, x = i * 7 % 61 / 31.0 - 0.95, y = i * 11 % 53 / 27.0 - 0.95;
+    positions.insert(positions.end(), {x * w, y * w, 0, w});
+  }
+  expect_as_mesa(
+      [&](const GlFunctions& gl) {
+        gl.EnableClientState(GL_VERTEX_ARRAY);
+        gl.VertexPointer(4, GL_DOUBLE, 0, positions.data());
+        gl.Color3f(0.9F, 0.5F, 0.1F);
+        gl.DrawArrays(GL_POINTS, 0, 3000);
+      },
+      "many_positions_with_w");
+}
+
 TEST(ArraysRenders, DrawsOfOneStateShareABatch) {
   const std::vector<Vertex> vertices = spiral(30);
   ours().recreate();

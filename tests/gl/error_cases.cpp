@@ -44,6 +44,12 @@ void new_mapped_buffer(const GlFunctions& gl, GLenum target) {
   return query;
 }
 
+void start_selection(const GlFunctions& gl) {
+  static GLuint hits[16];
+  gl.SelectBuffer(16, hits);
+  gl.RenderMode(GL_SELECT);
+}
+
 constexpr GLuint name_1[] = {1};
 const void* const index_arrays[] = {memory};
 const GLubyte* const pixels = kBytes.data();

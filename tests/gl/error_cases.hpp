@@ -17,6 +17,7 @@ struct ErrorCase {
   GLenum code;
   bool built;
   bool in_lists;             // a display list holds the entry point
+  bool inside_begin_end;     // allowed there, and wrong there as well
   const char* mesa_differs;  // why Mesa gives another code; nullptr: it gives the same
   Step setup;
   Step call;

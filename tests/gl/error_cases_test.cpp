@@ -94,6 +94,32 @@ TEST_P(Errors, InAListComesWhenItIsCalled) {
   EXPECT_EQ(difference(before, take_snapshot(gl)), "") << GetParam().text;
 }
 
+// What no list holds is executed at once, errors and all.
+TEST_P(Errors, WhatNoListHoldsComesAtOnce) {
+  const std::string name = GetParam().entry_point;
+  if (GetParam().in_lists || name == "glNewList" || name == "glEndList") return;
+  const GlFunctions& gl = ours().gl;
+  GetParam().setup(gl);
+  gl.NewList(7, GL_COMPILE);
+  GetParam().call(gl);
+  EXPECT_EQ(hex(gl.GetError()), hex(GetParam().code)) << GetParam().text;
+  gl.EndList();
+  gl.CallList(7);
+  EXPECT_EQ(hex(gl.GetError()), hex(GL_NO_ERROR)) << "of the empty list";
+}
+
+TEST_P(Errors, InsideBeginEndTooWhereTheCallIsAllowed) {
+  if (!GetParam().inside_begin_end || GetParam().entry_point == std::string("glEnd")) return;
+  const GlFunctions& gl = ours().gl;
+  GetParam().setup(gl);
+  const StateSnapshot before = take_snapshot(gl);
+  gl.Begin(GL_POINTS);
+  GetParam().call(gl);
+  gl.End();
+  EXPECT_EQ(hex(gl.GetError()), hex(GetParam().code)) << GetParam().text;
+  EXPECT_EQ(difference(before, take_snapshot(gl)), "") << GetParam().text;
+}
+
 INSTANTIATE_TEST_SUITE_P(EntryPoint, Errors, testing::ValuesIn(built_error_cases()),
                          test_name<ErrorCase>);
 INSTANTIATE_TEST_SUITE_P(EntryPoint, MesasErrors, testing::ValuesIn(error_cases()),

@@ -61,14 +61,24 @@ TEST(Snapshot, SeesAChange) {
             "GL_LIGHT3 GL_SPOT_CUTOFF: [0] 180 became 45\n");
 }
 
-TEST(Unbuilt, SaysSoOnceByNameAndIsAnInvalidOperation) {
-  std::vector<std::string> diagnostics;
+namespace {
+
+using Diagnostics = std::vector<std::string>;
+
+legacy_gl_options options_with(Diagnostics& diagnostics) {
   legacy_gl_options options{};
   options.diagnostic_user = &diagnostics;
   options.diagnostic = [](const char* message, void* user) {
-    static_cast<std::vector<std::string>*>(user)->emplace_back(message);
+    static_cast<Diagnostics*>(user)->emplace_back(message);
   };
-  CoreContext context(4, 4, PixelFormat::rgba8, options);
+  return options;
+}
+
+}  // namespace
+
+TEST(Unbuilt, SaysSoOnceByNameAndIsAnInvalidOperation) {
+  Diagnostics diagnostics;
+  CoreContext context(4, 4, PixelFormat::rgba8, options_with(diagnostics));
   for (const UnbuiltCall& unbuilt : unbuilt_calls()) {
     diagnostics.clear();
     for (int i = 0; i < 2; ++i) {
@@ -76,6 +86,36 @@ TEST(Unbuilt, SaysSoOnceByNameAndIsAnInvalidOperation) {
       EXPECT_EQ(context.gl.GetError(), GLenum{GL_INVALID_OPERATION}) << unbuilt.entry_point;
     }
     EXPECT_EQ(diagnostics, std::vector{unbuilt.entry_point + std::string(" is not built yet")});
+  }
+}
+
+// docs/deviations.md, D1: every capability of OpenGL 1.5 is enabled, or says that it is not.
+TEST(Unbuilt, CapabilitiesAreEnabledOrSaySo) {
+  constexpr GLenum kCapabilities[] = {GL_ALPHA_TEST,     GL_FOG,
+                                      GL_TEXTURE_1D,     GL_TEXTURE_2D,
+                                      GL_TEXTURE_3D,     GL_TEXTURE_CUBE_MAP,
+                                      GL_TEXTURE_GEN_S,  GL_TEXTURE_GEN_T,
+                                      GL_TEXTURE_GEN_R,  GL_TEXTURE_GEN_Q,
+                                      GL_LINE_STIPPLE,   GL_POLYGON_STIPPLE,
+                                      GL_POINT_SMOOTH,   GL_LINE_SMOOTH,
+                                      GL_POLYGON_SMOOTH, GL_AUTO_NORMAL,
+                                      GL_CLIP_PLANE0,    GL_CLIP_PLANE5,
+                                      GL_MAP1_VERTEX_3,  GL_MAP2_NORMAL,
+                                      GL_LIGHTING,       GL_COLOR_LOGIC_OP,
+                                      GL_INDEX_LOGIC_OP, GL_SAMPLE_COVERAGE};
+  Diagnostics diagnostics;
+  CoreContext context(4, 4, PixelFormat::rgba8, options_with(diagnostics));
+  const GlFunctions& gl = context.gl;
+  for (const GLenum capability : kCapabilities) {
+    diagnostics.clear();
+    gl.Enable(capability);
+    const GLenum error = gl.GetError();
+    const bool enabled = gl.IsEnabled(capability) != GL_FALSE;
+    EXPECT_EQ(error, enabled ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION}) << capability;
+    EXPECT_EQ(diagnostics.size(), enabled ? 0U : 1U) << capability;
+    gl.Disable(capability);
+    EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR}) << capability;
+    EXPECT_FALSE(gl.IsEnabled(capability)) << capability;
   }
 }
 

@@ -1,0 +1,141 @@
+// What a scene does not need leaves no trace in programs and uploads: the counters prove it.
+#include <gtest/gtest.h>
+
+#include "scene_changes.hpp"
+#include "support/contexts.hpp"
+
+namespace legacy_gl::test {
+namespace {
+
+class Skipping : public testing::Test {
+ protected:
+  Skipping() : context(64, 64), gl(context.gl) { set_up_scene(gl); }
+
+  legacy_gl_statistics draw() {
+    legacy_gl_reset_statistics();
+    draw_scene(gl);
+    legacy_gl_flush();
+    legacy_gl_statistics statistics;
+    legacy_gl_get_statistics(&statistics);
+    return statistics;
+  }
+
+  CoreContext context;
+  const GlFunctions& gl;
+};
+
+TEST_F(Skipping, TheSameSceneAgainCompilesAndUploadsNoState) {
+  EXPECT_GT(draw().programs_compiled, 0u);
+  const legacy_gl_statistics second = draw();
+  EXPECT_EQ(second.programs_generated, 0u);
+  EXPECT_EQ(second.uniform_bytes_uploaded, 0u);
+  EXPECT_EQ(second.normal_matrix_updates, 0u);
+}
+
+TEST_F(Skipping, LightsThatAreOffMakeNoProgramAndNoUpload) {
+  draw();
+  const float red[] = {1, 0, 0, 1};
+  gl.Lightfv(GL_LIGHT3, GL_DIFFUSE, red);
+  gl.Lightf(GL_LIGHT3, GL_SPOT_CUTOFF, 20);
+  const legacy_gl_statistics second = draw();
+  EXPECT_EQ(second.programs_generated, 0u);
+}
+
+TEST_F(Skipping, WithLightingOffLightStateMakesNoProgram) {
+  gl.Disable(GL_LIGHTING);
+  draw();
+  gl.Enable(GL_LIGHT3);
+  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+  gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
+  gl.Enable(GL_NORMALIZE);
+  gl.ColorMaterial(GL_FRONT, GL_EMISSION);
+  gl.Materialf(GL_FRONT, GL_SHININESS, 77);
+  const legacy_gl_statistics second = draw();
+  EXPECT_EQ(second.programs_generated, 0u);
+}
+
+TEST_F(Skipping, WhichLightIsOnMakesNoProgram) {
+  const float white[] = {1, 1, 1, 1};
+  for (GLenum light = GL_LIGHT1; light <= GL_LIGHT7; ++light) {
+    gl.Lightfv(light, GL_DIFFUSE, white);
+    gl.Lightfv(light, GL_SPECULAR, white);
+  }
+  draw();
+  for (GLenum light = GL_LIGHT1; light <= GL_LIGHT7; ++light) {
+    gl.Disable(light - 1);
+    gl.Enable(light);
+    EXPECT_EQ(draw().programs_generated, 0u) << "GL_LIGHT" << light - GL_LIGHT0;
+  }
+}
+
+TEST_F(Skipping, BlackLightsAreLeftOut) {
+  draw();
+  const float black[] = {0, 0, 0, 1};
+  for (GLenum light = GL_LIGHT1; light <= GL_LIGHT7; ++light) {
+    gl.Lightfv(light, GL_DIFFUSE, black);
+    gl.Lightfv(light, GL_SPECULAR, black);
+    gl.Enable(light);
+  }
+  const legacy_gl_statistics second = draw();
+  EXPECT_EQ(second.programs_generated, 0u);
+  EXPECT_EQ(second.lights_skipped, 7u);
+}
+
+TEST_F(Skipping, ATranslationKeepsTheNormalMatrix) {
+  gl.Scalef(1, 2, 3);
+  draw();
+  gl.Translatef(0.1f, 0.2f, 0.3f);
+  const legacy_gl_statistics second = draw();
+  EXPECT_EQ(second.normal_matrix_updates, 0u);
+  EXPECT_GT(second.uniform_bytes_uploaded, 0u);
+}
+
+TEST_F(Skipping, AMaterialChangeLeavesLightsAndTransform) {
+  draw();
+  const float green[] = {0, 1, 0, 1};
+  gl.Materialfv(GL_FRONT, GL_DIFFUSE, green);
+  EXPECT_EQ(draw().uniform_block_updates, 1u);
+}
+
+TEST_F(Skipping, SettingAValueToItselfIsNoChange) {
+  draw();
+  set_up_scene(gl);
+  gl.Begin(GL_POINTS);
+  gl.End();
+  legacy_gl_reset_statistics();
+  const float specular[] = {0.6f, 0.5f, 0.4f, 0.75f};
+  gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
+  gl.ShadeModel(GL_SMOOTH);
+  gl.Enable(GL_LIGHTING);
+  draw_scene(gl);
+  legacy_gl_flush();
+  legacy_gl_statistics statistics;
+  legacy_gl_get_statistics(&statistics);
+  EXPECT_EQ(statistics.programs_generated, 0u);
+}
+
+TEST_F(Skipping, TextureCoordinatesThatNobodyReadsAreNotUploaded) {
+  const std::uint64_t before = draw().vertex_bytes_uploaded;
+  legacy_gl_reset_statistics();
+  gl.TexCoord2f(0.5f, 0.5f);
+  EXPECT_EQ(draw().vertex_bytes_uploaded, before);
+}
+
+TEST_F(Skipping, NeutralBeginEndPairsMerge) {
+  draw();
+  legacy_gl_reset_statistics();
+  for (int i = 0; i < 100; ++i) {
+    gl.Begin(GL_TRIANGLES);
+    for (int corner = 0; corner < 3; ++corner)
+      gl.Vertex3f(static_cast<float>(corner == 1), static_cast<float>(corner == 2), 0);
+    gl.End();
+  }
+  legacy_gl_flush();
+  legacy_gl_statistics statistics;
+  legacy_gl_get_statistics(&statistics);
+  EXPECT_EQ(statistics.begin_end_merged, 99u);
+  EXPECT_EQ(statistics.draws, 1u);
+}
+
+}  // namespace
+}  // namespace legacy_gl::test

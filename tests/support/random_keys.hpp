@@ -1,0 +1,82 @@
+// Program keys that a state could lead to, from a fixed seed.
+#pragma once
+
+#include <random>
+
+#include "shadergen/program_key.hpp"
+
+namespace legacy_gl::test {
+
+class RandomKeys {
+ public:
+  explicit RandomKeys(unsigned seed) : random_(seed) {}
+
+  ProgramKey next() {
+    ProgramKey key;
+    key.flat = chance(3);
+    key.points = chance(5);
+    key.position4 = chance(4);
+    key.lit = !chance(6);
+    if (!key.lit) {
+      key.secondary_from_vertex = chance(2);
+      return key;
+    }
+    key.two_side = chance(2);
+    key.back_only = key.two_side && chance(4);
+    const bool specular = add_lights(key);
+    key.space = key.position4 ? LightingSpace::kEyeHomogeneous
+                              : static_cast<LightingSpace>(below(3));
+    add_normals(key);
+    for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face)
+      for (unsigned property = 0; property < 5; ++property)
+        if (chance(4))
+          key.material[face][property] =
+              property == 4 || chance(2) ? MaterialSource::kVertex : MaterialSource::kColor;
+    if (!specular) return key;
+    key.local_viewer = chance(3);
+    key.separate_specular = chance(3);
+    key.angle_error = key.space == LightingSpace::kObject &&
+                      key.normal != NormalMode::kNormalize && chance(3);
+    for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face)
+      key.integer_shininess[face] = key.material[face][4] == MaterialSource::kVertex || chance(3)
+                                        ? kGeneralShininess
+                                        : static_cast<std::uint8_t>(below(129));
+    return key;
+  }
+
+ private:
+  unsigned below(unsigned n) { return std::uniform_int_distribution<unsigned>(0, n - 1)(random_); }
+  bool chance(unsigned n) { return below(n) == 0; }
+
+  void add_normals(ProgramKey& key) {
+    if (chance(2))
+      key.normal = NormalMode::kNormalize;
+    else if (key.space != LightingSpace::kObject)
+      key.normal = NormalMode::kMatrix;
+    else
+      key.normal = chance(2) ? NormalMode::kAsIs : NormalMode::kScaled;
+  }
+
+  bool add_lights(ProgramKey& key) {
+    bool specular = false;
+    const unsigned runs = below(kMaxLightRuns + 1);
+    for (unsigned i = 0; i < runs; ++i) {
+      std::uint8_t kind = 0;
+      if (chance(2)) {
+        kind |= kLightPoint;
+        if (chance(2)) kind |= kLightAttenuated;
+        if (chance(2)) kind |= static_cast<std::uint8_t>(kLightSpot | (chance(2) ? kLightSpotExponent : 0));
+        if (kind & (kLightAttenuated | kLightSpot) && chance(2)) kind |= kLightAmbient;
+      }
+      if (chance(2)) kind |= kLightSpecular;
+      if (!(kind & (kLightSpecular | kLightAmbient)) || !chance(4)) kind |= kLightDiffuse;
+      specular = specular || kind & kLightSpecular;
+      key.lights[i] = {kind, static_cast<std::uint16_t>(chance(8) ? 20 : 1 + below(2))};
+    }
+    return specular;
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace legacy_gl::test
