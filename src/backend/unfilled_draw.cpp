@@ -1,0 +1,85 @@
+// Polygons that glPolygonMode turns into lines or points (GL 2.1 spec 3.5.4).
+#include <algorithm>
+#include <cmath>
+
+#include "backend/backend.hpp"
+#include "state/framebuffer.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// What is lit depends on where it is.
+bool reads_lighting_position(const ProgramKey& key) {
+  return key.lit && (key.local_viewer ||
+                     std::any_of(key.lights.begin(), key.lights.end(), [](const LightRun& run) {
+                       return run.count && run.kind & kLightPoint;
+                     }));
+}
+
+/// GL 2.1 spec 3.5.5, "r".
+double depth_resolution(const Context& context) {
+  const PolygonState& polygon = context.raster.polygon;
+  const bool enabled = polygon.offset_line_enabled || polygon.offset_point_enabled;
+  if (!enabled || polygon.offset_units == 0) return 0;
+  return std::ldexp(1.0, -framebuffer_bits(context, FramebufferChannel::kDepth));
+}
+
+}  // namespace
+
+bool Backend::draw_unfilled(Context& context) {
+  const Recorder& recorder = context.recorder;
+  const std::vector<PrimitiveRun>& runs = recorder.runs();
+  if (std::none_of(runs.begin(), runs.end(),
+                   [](const PrimitiveRun& run) { return is_polygonal(run.mode); }))
+    return false;
+  prepare(context, recorder.layout());
+
+  const ProgramKey& key = derived_.key;
+  const UnfilledState state{.polygon = context.raster.polygon,
+                            .viewport = context.raster.viewport,
+                            .modelview_projection = derived_.transform.modelview_projection,
+                            .two_side = key.two_side,
+                            .flat = key.flat,
+                            .lighting_position = key.flat && reads_lighting_position(key),
+                            .depth_resolution = depth_resolution(context)};
+  ExpandedBatch& expanded = unfilled_scratch_;
+  expand_unfilled(
+      {recorder.layout(), recorder.data(), recorder.vertex_count(), runs, recorder.elements()},
+      state, expanded);
+  if (expanded.groups.empty()) return true;
+
+  const VertexLayout layout = expanded.own_vertices ? expanded.layout : recorder.layout();
+  const std::size_t stride = offsets_of(layout).stride * sizeof(float);
+  const std::size_t size = expanded.own_vertices ? expanded.vertices.size() * sizeof(float)
+                                                 : recorder.vertex_count() * stride;
+  const float* const vertices = expanded.own_vertices ? expanded.vertices.data() : recorder.data();
+  const auto base_vertex =
+      static_cast<std::uint32_t>(vertices_.write(vertices, size, stride) / stride);
+  for (std::uint32_t& index : expanded.indices) index += base_vertex;
+  const std::size_t index_bytes = expanded.indices.size() * sizeof(std::uint32_t);
+  const std::size_t indices =
+      indices_.write(expanded.indices.data(), index_bytes, sizeof(std::uint32_t));
+  context.statistics.vertex_bytes_uploaded += size;
+  context.statistics.vertices += recorder.vertex_count();
+  context.statistics.index_bytes_uploaded += index_bytes;
+
+  bind_vertex_array(arrays_.find_or_build(layout, vertices_.name(), indices_.name()));
+  for (const PrimitiveGroup& group : expanded.groups) {
+    ProgramKey variant = key;
+    variant.points = group.mode == GL_POINTS;
+    variant.back_only = group.back;
+    variant.lighting_position = state.lighting_position;
+    variant.depth_offset =
+        group.mode != GL_TRIANGLES && (expanded.layout.fields & kFieldDepthOffset);
+    if (!use_program(context, variant)) continue;
+    driver.DrawElements(
+        group.mode, static_cast<GLsizei>(group.count), GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(indices + group.first * sizeof(std::uint32_t)));
+    ++context.statistics.draws;
+  }
+  ++context.statistics.batches;
+  return true;
+}
+
+}  // namespace legacy_gl
