@@ -148,9 +148,11 @@ void Recorder::add_run(Context& context, const PrimitiveRun& run) {
   runs_.push_back(run);
 }
 
-void Recorder::put_current(const Context& context, float* vertices, std::uint32_t count) const {
-  const std::size_t stride = offsets_.stride, position_size = offsets_.position_size;
-  put_fields(context, layout_, vertices + position_size);
+void Recorder::put_current(const Context& context, const VertexLayout& layout, float* vertices,
+                           std::uint32_t count) {
+  const VertexOffsets offsets = offsets_of(layout);
+  const std::size_t stride = offsets.stride, position_size = offsets.position_size;
+  put_fields(context, layout, vertices + position_size);
   for (std::uint32_t i = 1; i < count; ++i)
     std::memcpy(vertices + i * stride + position_size, vertices + position_size,
                 (stride - position_size) * sizeof(float));

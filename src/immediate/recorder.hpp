@@ -54,8 +54,9 @@ class Recorder {
   const std::vector<PrimitiveRun>& runs() const { return runs_; }
   const std::vector<std::uint32_t>& elements() const { return elements_; }
 
-  /// The current values in `count` vertices laid out as layout() says, behind their positions.
-  void put_current(const legacy_gl_context& context, float* vertices, std::uint32_t count) const;
+  /// The current values in `count` vertices of `layout`, behind their positions.
+  static void put_current(const legacy_gl_context& context, const VertexLayout& layout, float* vertices,
+                          std::uint32_t count);
 
   /// Draws the batch when it has become large.
   void flush_if_large(legacy_gl_context& context);
