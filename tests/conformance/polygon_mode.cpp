@@ -9,6 +9,19 @@ namespace legacy_gl::test {
 
 namespace {
 
+// Which face of a triangle without area is drawn, Mesa lets the framebuffer's orientation decide
+// (row M11 of docs/deviations.md): a sphere has such triangles at its poles, a torus has none.
+Scene torus_scene(std::string name, GLenum face, GLenum mode) {
+  return {std::move(name), [=](const GlFunctions& gl) {
+            begin_lit_scene(gl);
+            gl.PolygonMode(face, mode);
+            gl.PointSize(3);
+            gl.Rotatef(50, 1, 1, 0);
+            draw_cube(gl, 0.3F);
+            draw_torus(gl, 0.3F, 0.6F);
+          }};
+}
+
 Scene solid_scene(std::string name, GLenum face, GLenum mode, Draw set = {}) {
   return {std::move(name), [=](const GlFunctions& gl) {
             begin_lit_scene(gl);
@@ -48,6 +61,85 @@ Scene primitive_scene(std::string name, GLenum primitive, GLenum mode, bool flat
           {.few_colors = flat}};
 }
 
+// Polygons beyond the near plane, beside the view and behind the eye.
+void draw_clipped_lines(const GlFunctions& gl) {
+  begin_lit_scene(gl);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl.Translatef(0, 0, 1.5F);
+  gl.Rotatef(40, 1, 2, 0);
+  draw_torus(gl, 0.4F, 0.9F);
+}
+
+// Edges of strips and fans are all drawn (GL 2.1 spec 2.6.2); Mesa heeds their edge flags.
+void draw_strips_as_lines(const GlFunctions& gl, bool edge_flags) {
+  begin_flat_scene(gl);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl.Scalef(0.9F, 0.3F, 1);
+  gl.Translatef(0, -2, 0);
+  for (const GLenum mode :
+       {GLenum{GL_TRIANGLE_STRIP}, GLenum{GL_QUAD_STRIP}, GLenum{GL_TRIANGLE_FAN}}) {
+    gl.Begin(mode);
+    for (int i = 0; i < 8; ++i) {
+      const float x = 0.25F * static_cast<float>(i) - 0.9F;
+      const float y = i % 2 == 0 ? -0.8F : 0.8F;
+      gl.EdgeFlag(!edge_flags || i % 3 != 1);
+      color_by_position(gl, x, y, 0);
+      gl.Vertex2f(x, y);
+    }
+    gl.End();
+    gl.Translatef(0, 2, 0);
+  }
+}
+
+// Filled, and the same polygons as lines or points, nearer or farther by the offset.
+Scene offset_scene(std::string name, GLenum mode, GLenum capability, float factor, float units) {
+  return {std::move(name), [=](const GlFunctions& gl) {
+            begin_lit_scene(gl);
+            gl.Rotatef(30, 1, 1, 0);
+            draw_cube(gl, 0.5F);
+            draw_torus(gl, 0.3F, 0.6F);
+            gl.Disable(GL_LIGHTING);
+            gl.Color3f(1, 0.9F, 0.1F);
+            gl.PolygonMode(GL_FRONT_AND_BACK, mode);
+            gl.PointSize(3);
+            gl.PolygonOffset(factor, units);
+            gl.Enable(capability);
+            draw_cube(gl, 0.5F);
+            draw_torus(gl, 0.3F, 0.6F);
+          }};
+}
+
+// Flat shading lights the provoking vertex where it is.
+void light_from_nearby(const GlFunctions& gl) {
+  gl.ShadeModel(GL_FLAT);
+  use_positional_light(gl, GL_LIGHT0, vec(1, 1.5F, 1, 1), vec(1, 1, 1));
+  gl.Lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0.3F);
+  gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);
+}
+
+void draw_edge_flag_array(const GlFunctions& gl) {
+  begin_flat_scene(gl);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  std::array<std::array<GLfloat, 2>, 12> positions{};
+  std::array<GLboolean, 12> flags{};
+  std::array<GLushort, 12> elements{};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const float angle = 0.5236F * static_cast<float>(i);
+    positions[i] = {0.9F * std::cos(angle), 0.9F * std::sin(angle)};
+    flags[i] = i % 4 != 1;
+    elements[i] = static_cast<GLushort>(11 - i);
+  }
+  gl.VertexPointer(2, GL_FLOAT, 0, positions.data());
+  gl.EdgeFlagPointer(0, flags.data());
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.EnableClientState(GL_EDGE_FLAG_ARRAY);
+  gl.Color3f(0.9F, 0.4F, 0.2F);
+  gl.DrawArrays(GL_POLYGON, 0, 12);
+  gl.Scalef(0.8F, 0.8F, 1);
+  gl.Color3f(0.2F, 0.7F, 0.9F);
+  gl.DrawElements(GL_QUADS, 12, GL_UNSIGNED_SHORT, elements.data());
+}
+
 }  // namespace
 
 std::vector<Scene> polygon_mode_scenes() {
@@ -55,8 +147,8 @@ std::vector<Scene> polygon_mode_scenes() {
       solid_scene("line_both_faces", GL_FRONT_AND_BACK, GL_LINE),
       solid_scene("point_both_faces", GL_FRONT_AND_BACK, GL_POINT),
       solid_scene("line_front", GL_FRONT, GL_LINE),
-      solid_scene("line_back", GL_BACK, GL_LINE),
-      solid_scene("point_front", GL_FRONT, GL_POINT),
+      torus_scene("line_back", GL_BACK, GL_LINE),
+      torus_scene("point_front", GL_FRONT, GL_POINT),
       solid_scene("line_culled", GL_FRONT_AND_BACK, GL_LINE,
                   [](const GlFunctions& gl) { gl.Enable(GL_CULL_FACE); }),
       solid_scene("line_two_sided", GL_FRONT_AND_BACK, GL_LINE,
@@ -100,6 +192,40 @@ std::vector<Scene> polygon_mode_scenes() {
            gl.End();
          }
        }});
+  scenes.push_back({"line_clipped", draw_clipped_lines});
+  scenes.push_back(offset_scene("line_offset_nearer", GL_LINE, GL_POLYGON_OFFSET_LINE, -1, -1));
+  scenes.push_back(offset_scene("line_offset_farther", GL_LINE, GL_POLYGON_OFFSET_LINE, 1, 4));
+  scenes.push_back(offset_scene("point_offset_nearer", GL_POINT, GL_POLYGON_OFFSET_POINT, -2, 0));
+  scenes.push_back(
+      offset_scene("line_offset_not_for_points", GL_POINT, GL_POLYGON_OFFSET_LINE, -9, -9));
+  scenes.push_back(
+      solid_scene("line_flat_lit_from_nearby", GL_FRONT_AND_BACK, GL_LINE, light_from_nearby));
+  scenes.push_back(
+      solid_scene("point_flat_lit_from_nearby", GL_FRONT_AND_BACK, GL_POINT, light_from_nearby));
+  scenes.push_back(
+      solid_scene("line_flat_two_sided", GL_FRONT_AND_BACK, GL_LINE, [](const GlFunctions& gl) {
+        light_from_nearby(gl);
+        gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+        gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+        use_turquoise(gl, GL_BACK);
+      }));
+  scenes.push_back(
+      solid_scene("line_blended", GL_FRONT_AND_BACK, GL_LINE, [](const GlFunctions& gl) {
+        gl.Disable(GL_DEPTH_TEST);
+        gl.Enable(GL_BLEND);
+        gl.BlendFunc(GL_ONE, GL_ONE);
+      }));
+  scenes.push_back(
+      solid_scene("point_blended", GL_FRONT_AND_BACK, GL_POINT, [](const GlFunctions& gl) {
+        gl.Disable(GL_DEPTH_TEST);
+        gl.Enable(GL_BLEND);
+        gl.BlendFunc(GL_ONE, GL_ONE);
+      }));
+  scenes.push_back({"edge_flags_of_strips",
+                    [](const GlFunctions& gl) { draw_strips_as_lines(gl, true); },
+                    {.mesa_departure = "M12",
+                     .reference = [](const GlFunctions& gl) { draw_strips_as_lines(gl, false); }}});
+  scenes.push_back({"edge_flag_array", draw_edge_flag_array, {.few_colors = true}});
   scenes.push_back({"front_line_back_point", [](const GlFunctions& gl) {
                       begin_lit_scene(gl);
                       gl.PolygonMode(GL_FRONT, GL_LINE);
