@@ -16,6 +16,7 @@ class RandomKeys {
     key.flat = chance(3);
     key.points = chance(5);
     key.position4 = chance(4);
+    key.depth_offset = chance(8);
     key.lit = !chance(6);
     if (!key.lit) {
       key.secondary_from_vertex = chance(2);
@@ -23,6 +24,7 @@ class RandomKeys {
     }
     key.two_side = chance(2);
     key.back_only = key.two_side && chance(4);
+    key.lighting_position = key.flat && chance(2);
     const bool specular = add_lights(key);
     key.space = key.position4 ? LightingSpace::kEyeHomogeneous
                               : static_cast<LightingSpace>(below(3));
