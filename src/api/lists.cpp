@@ -1,4 +1,5 @@
 // GL 2.1 spec 5.4: display lists.
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -24,6 +25,7 @@ void new_list(Context& c, GLuint name, GLenum mode) {
   c.lists.mode = mode;
   c.lists.compiling_name = name;
   c.lists.compiling_list = std::make_shared<DisplayList>();
+  c.lists.welder = {};
 }
 
 void end_list(Context& c) {
@@ -53,6 +55,11 @@ void list_base(Context& c, GLuint base) {
   c.lists.base = base;
 }
 
+/// Truncated to an integer; a float that no integer holds is no offset.
+GLuint float_offset(GLfloat offset) {
+  return std::abs(offset) < 2147483648.0f ? static_cast<GLuint>(static_cast<GLint>(offset)) : 0;
+}
+
 /// The i-th offset of glCallLists; -1 for a type it does not take.
 std::int64_t list_offset(GLenum type, const void* lists, GLsizei i) {
   const auto* const bytes = static_cast<const GLubyte*>(lists);
@@ -64,7 +71,7 @@ std::int64_t list_offset(GLenum type, const void* lists, GLsizei i) {
     case GL_UNSIGNED_SHORT: return static_cast<const GLushort*>(lists)[at];
     case GL_INT: return static_cast<GLuint>(static_cast<const GLint*>(lists)[at]);
     case GL_UNSIGNED_INT: return static_cast<const GLuint*>(lists)[at];
-    case GL_FLOAT: return static_cast<GLuint>(static_cast<GLint>(static_cast<const GLfloat*>(lists)[at]));
+    case GL_FLOAT: return float_offset(static_cast<const GLfloat*>(lists)[at]);
     case GL_2_BYTES: return bytes[2 * at] * 256 + bytes[2 * at + 1];
     case GL_3_BYTES:
       return bytes[3 * at] * 65536 + bytes[3 * at + 1] * 256 + bytes[3 * at + 2];

@@ -25,6 +25,7 @@ Backend::Backend(const Driver& loaded)
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes),
       uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes),
       arrays_(driver),
+      meshes_(driver),
       buffer_arrays_(driver) {
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);

@@ -6,6 +6,7 @@
 #include "backend/buffer_objects.hpp"
 #include "backend/derive.hpp"
 #include "backend/driver.hpp"
+#include "backend/mesh_buffers.hpp"
 #include "backend/program_cache.hpp"
 #include "backend/raster.hpp"
 #include "backend/stream_buffer.hpp"
@@ -25,6 +26,9 @@ class Backend {
 
   /// Draws the recorder's batch and clears it.
   void draw_recorded(Context& context);
+
+  /// Draws a display list's mesh in the present state.
+  void draw_mesh(Context& context, const ListMesh& mesh);
 
   /// Brings blend, depth, masks, viewport and their like in the driver up to the context's.
   void apply_raster(Context& context);
@@ -72,6 +76,7 @@ class Backend {
   StreamBuffer indices_;
   StreamBuffer uniforms_;
   VertexArrays arrays_;
+  MeshBuffers meshes_;
   BufferArrays buffer_arrays_;
   RasterApplier raster_;
   Derived derived_;

@@ -13,16 +13,22 @@ GLuint VertexArrays::find_or_build(const VertexLayout& layout, GLuint vertex_buf
   const Key key{static_cast<unsigned>(layout.fields) << 16 | layout.materials, vertex_buffer,
                 index_buffer};
   if (const auto at = arrays_.find(key); at != arrays_.end()) return at->second;
+  const GLuint array = build_vertex_array(driver_, layout, vertex_buffer, index_buffer);
+  arrays_.emplace(key, array);
+  return array;
+}
 
+GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLuint vertex_buffer,
+                          GLuint index_buffer) {
   GLuint array = 0;
-  driver_.GenVertexArrays(1, &array);
-  driver_.BindVertexArray(array);
-  driver_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
-  driver_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
+  driver.GenVertexArrays(1, &array);
+  driver.BindVertexArray(array);
+  driver.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer);
+  driver.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
   const VertexOffsets offsets = offsets_of(layout);
   const auto attribute = [&](unsigned location, unsigned size, unsigned offset) {
-    driver_.EnableVertexAttribArray(location);
-    driver_.VertexAttribPointer(location, static_cast<GLint>(size), GL_FLOAT, GL_FALSE,
+    driver.EnableVertexAttribArray(location);
+    driver.VertexAttribPointer(location, static_cast<GLint>(size), GL_FLOAT, GL_FALSE,
                                 static_cast<GLsizei>(offsets.stride * sizeof(float)),
                                 reinterpret_cast<const void*>(offset * sizeof(float)));
   };
@@ -37,7 +43,6 @@ GLuint VertexArrays::find_or_build(const VertexLayout& layout, GLuint vertex_buf
   if (layout.fields & kFieldLightingPosition)
     attribute(kLocationLightingPosition, offsets.position_size, offsets.lighting_position);
   if (layout.fields & kFieldDepthOffset) attribute(kLocationDepthOffset, 1, offsets.depth_offset);
-  arrays_.emplace(key, array);
   return array;
 }
 

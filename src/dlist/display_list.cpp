@@ -2,15 +2,24 @@
 
 #include <cstring>
 
+#include "dlist/list_mesh.hpp"
+#include "immediate/draw_mesh.hpp"
+
 namespace legacy_gl {
 
 namespace {
 
-struct Command {
+struct Header {
   PlayFunction play;
   std::uint64_t payload_words;
 };
-constexpr std::size_t kHeaderWords = sizeof(Command) / sizeof(std::uint64_t);
+constexpr std::size_t kHeaderWords = sizeof(Header) / sizeof(std::uint64_t);
+
+void play_mesh(legacy_gl_context& context, const void* payload) {
+  const ListMesh* mesh;
+  std::memcpy(&mesh, payload, sizeof mesh);
+  draw_mesh(context, *mesh);
+}
 
 }  // namespace
 
@@ -18,18 +27,36 @@ void* DisplayList::append(PlayFunction play, std::size_t size) {
   const std::size_t payload_words = (size + 7) / 8;
   const std::size_t at = words_.size();
   words_.resize(at + kHeaderWords + payload_words);
-  const Command command{play, payload_words};
-  std::memcpy(&words_[at], &command, sizeof command);
+  const Header header{play, payload_words};
+  std::memcpy(&words_[at], &header, sizeof header);
   return words_.data() + at + kHeaderWords;
 }
 
+void DisplayList::append_mesh(std::shared_ptr<const ListMesh> mesh) {
+  const ListMesh* const address = mesh.get();
+  std::memcpy(append(&play_mesh, sizeof address), &address, sizeof address);
+  meshes_.push_back(std::move(mesh));
+}
+
+DisplayList::Command DisplayList::at(std::size_t position) const {
+  Header header;
+  std::memcpy(&header, &words_[position], sizeof header);
+  const std::size_t payload = position + kHeaderWords;
+  return {header.play, words_.data() + payload, payload + header.payload_words};
+}
+
+void DisplayList::append_copy(std::size_t position) {
+  const std::size_t count = at(position).next - position;
+  const std::size_t end = words_.size();
+  words_.resize(end + count);
+  std::memcpy(&words_[end], &words_[position], count * sizeof(std::uint64_t));
+}
+
 void DisplayList::execute(legacy_gl_context& context) const {
-  for (std::size_t at = 0; at < words_.size();) {
-    Command command;
-    std::memcpy(&command, &words_[at], sizeof command);
-    at += kHeaderWords;
-    command.play(context, words_.data() + at);
-    at += command.payload_words;
+  for (std::size_t position = 0; position < words_.size();) {
+    const Command command = at(position);
+    command.play(context, command.payload);
+    position = command.next;
   }
 }
 

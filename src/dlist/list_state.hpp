@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "dlist/display_list.hpp"
+#include "dlist/list_welder.hpp"
 #include "state/gl_types.hpp"
 
 namespace legacy_gl {
@@ -35,6 +36,10 @@ struct ListState {
   GLuint base = 0;
   unsigned nesting = 0;
 
+  ListWelder welder;
+
+  /// glEnd was recorded.
+  void weld() { welder.weld_last_primitive(*compiling_list); }
   void* append(PlayFunction play, std::size_t size) { return compiling_list->append(play, size); }
 };
 

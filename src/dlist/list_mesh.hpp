@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "immediate/recorder.hpp"
+#include "immediate/vertex_layout.hpp"
+
+namespace legacy_gl {
+
+/// Begin/End pairs of a display list, ready to draw: no work a vertex when the list is called. Vertices that are alike
+/// are kept once where primitives are independent; strips and fans keep their own order.
+struct ListMesh : std::enable_shared_from_this<ListMesh> {
+  /// Neighbouring primitives that the driver draws in one call.
+  struct Draw {
+    GLenum mode = 0;  ///< of the core profile
+    bool indexed = false;
+    std::uint32_t first = 0, count = 0;  ///< in `indices`, or in `firsts` and `counts`
+  };
+
+  VertexLayout layout;
+  std::vector<float> vertices;
+  std::vector<std::uint32_t> indices;
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  std::vector<Draw> draws;
+  std::uint32_t welded = 0;  ///< vertices that were given and are not kept
+
+  /// The primitives as they were given, for what only the recorder can draw (unfilled polygons). An indexed run counts
+  /// `elements`.
+  std::vector<PrimitiveRun> runs;
+  std::vector<std::uint32_t> elements;
+
+  std::uint32_t vertex_count() const {
+    return static_cast<std::uint32_t>(vertices.size() / offsets_of(layout).stride);
+  }
+};
+
+}  // namespace legacy_gl

@@ -1,0 +1,53 @@
+#include "immediate/draw_mesh.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "backend/backend.hpp"
+#include "state/context.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// The mesh's vertices and primitives join the recorder's batch.
+void record_mesh(Context& context, const ListMesh& mesh) {
+  Recorder& recorder = context.recorder;
+  const std::uint32_t count = mesh.vertex_count();
+  float* const vertices = recorder.append_vertices(context, count, false);
+  const std::uint32_t base = recorder.vertex_count() - count;
+  recorder.put_current(context, recorder.layout(), vertices, count);
+  const VertexOffsets to = recorder.offsets(), from = offsets_of(mesh.layout);
+  const auto both = static_cast<std::uint8_t>(recorder.layout().fields & mesh.layout.fields);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    float* const target = vertices + std::size_t{i} * to.stride;
+    const float* const source = mesh.vertices.data() + std::size_t{i} * from.stride;
+    const auto copy = [&](unsigned at, unsigned source_at, unsigned size) {
+      std::memcpy(target + at, source + source_at, size * sizeof(float));
+    };
+    copy(0, 0, 3);
+    if (to.position_size == 4) target[3] = 1;
+    if (both & kFieldNormal) copy(to.normal, from.normal, 3);
+    if (both & kFieldColor) copy(to.color, from.color, 4);
+    if (both & kFieldSecondaryColor) copy(to.secondary_color, from.secondary_color, 3);
+  }
+  for (const PrimitiveRun& run : mesh.runs) {
+    std::uint32_t* const elements = recorder.append_elements(context, run.mode, run.count);
+    for (std::uint32_t i = 0; i < run.count; ++i)
+      elements[i] = base + (run.indexed ? mesh.elements[run.first + i] : run.first + i);
+  }
+  recorder.flush_if_large(context);
+}
+
+}  // namespace
+
+void draw_mesh(Context& context, const ListMesh& mesh) {
+  if (context.recorder.inside_begin_end()) return raise_error(context, GL_INVALID_OPERATION);
+  const PolygonState& polygon = context.raster.polygon;
+  if (polygon.front_mode != GL_FILL || polygon.back_mode != GL_FILL)
+    return record_mesh(context, mesh);
+  flush_pending(context);
+  context.backend->draw_mesh(context, mesh);
+}
+
+}  // namespace legacy_gl

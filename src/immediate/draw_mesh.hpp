@@ -1,0 +1,12 @@
+#pragma once
+#include "dlist/list_mesh.hpp"
+
+struct legacy_gl_context;
+
+namespace legacy_gl {
+
+/// Draws a list's mesh in the present state: from a buffer that keeps it, or through the recorder where polygons are
+/// unfilled.
+void draw_mesh(legacy_gl_context& context, const ListMesh& mesh);
+
+}  // namespace legacy_gl
