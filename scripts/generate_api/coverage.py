@@ -17,7 +17,7 @@ def text(api, chapter_list, table, built, root):
                     f"{'yes' if name in built else '**no**'} |\n")
     glu = set()
     for path in sorted((root / "src/glu").glob("*.cpp")):
-        glu.update(re.findall(r"^LEGACY_GL_API .*LEGACY_GL_APIENTRY l(glu\w+)\(", path.read_text(), re.M))
+        glu.update(re.findall(r"^LEGACY_GL_API\s[^;{(]*?LEGACY_GL_APIENTRY\s+l(glu\w+)\(", path.read_text(), re.M))
     if glu:
         out += "\n## GLU\n\nBuilt: " + ", ".join(sorted(glu)) + ".\n"
     return out
