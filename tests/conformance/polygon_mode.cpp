@@ -70,6 +70,25 @@ void draw_clipped_lines(const GlFunctions& gl) {
   draw_torus(gl, 0.4F, 0.9F);
 }
 
+void draw_edge_flags(const GlFunctions& gl) {
+  begin_flat_scene(gl);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  int index = 0;
+  for (const GLenum mode : {GLenum{GL_TRIANGLES}, GLenum{GL_QUADS}, GLenum{GL_POLYGON}}) {
+    gl.LoadIdentity();
+    gl.Translatef(-0.6F + 0.6F * static_cast<float>(index++), 0, 0);
+    gl.Scalef(0.28F, 0.9F, 1);
+    gl.Begin(mode);
+    for (int i = 0; i < 12; ++i) {
+      const float angle = 0.5236F * static_cast<float>(i);
+      gl.EdgeFlag(i % 3 != 1);
+      color_by_position(gl, std::cos(angle), std::sin(angle), 0);
+      gl.Vertex2f(std::cos(angle), std::sin(angle));
+    }
+    gl.End();
+  }
+}
+
 // Edges of strips and fans are all drawn (GL 2.1 spec 2.6.2); Mesa heeds their edge flags.
 void draw_strips_as_lines(const GlFunctions& gl, bool edge_flags) {
   begin_flat_scene(gl);
@@ -89,6 +108,17 @@ void draw_strips_as_lines(const GlFunctions& gl, bool edge_flags) {
     gl.End();
     gl.Translatef(0, 2, 0);
   }
+}
+
+// Mesa joins the strips of a list into one, and draws what joins them.
+void draw_tube_as_lines(const GlFunctions& gl, bool in_list) {
+  begin_lit_scene(gl);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  if (!in_list) return draw_half_tube(gl);
+  gl.NewList(1, GL_COMPILE);
+  draw_half_tube(gl);
+  gl.EndList();
+  gl.CallList(1);
 }
 
 // Filled, and the same polygons as lines or points, nearer or farther by the offset.
@@ -173,25 +203,31 @@ std::vector<Scene> polygon_mode_scenes() {
         primitive_scene(std::string(name) + "_as_lines_flat", primitive, GL_LINE, true));
     scenes.push_back(primitive_scene(std::string(name) + "_as_points", primitive, GL_POINT, false));
   }
-  scenes.push_back(
-      {"edge_flags", [](const GlFunctions& gl) {
-         begin_flat_scene(gl);
-         gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-         int index = 0;
-         for (const GLenum mode : {GLenum{GL_TRIANGLES}, GLenum{GL_QUADS}, GLenum{GL_POLYGON}}) {
-           gl.LoadIdentity();
-           gl.Translatef(-0.6F + 0.6F * static_cast<float>(index++), 0, 0);
-           gl.Scalef(0.28F, 0.9F, 1);
-           gl.Begin(mode);
-           for (int i = 0; i < 12; ++i) {
-             const float angle = 0.5236F * static_cast<float>(i);
-             gl.EdgeFlag(i % 3 != 1);
-             color_by_position(gl, std::cos(angle), std::sin(angle), 0);
-             gl.Vertex2f(std::cos(angle), std::sin(angle));
-           }
-           gl.End();
-         }
-       }});
+  scenes.push_back({"edge_flags", draw_edge_flags});
+  scenes.push_back({"edge_flags_in_a_list", [](const GlFunctions& gl) {
+                      gl.NewList(1, GL_COMPILE);
+                      draw_edge_flags(gl);
+                      gl.EndList();
+                      gl.CallList(1);
+                    }});
+  // What a list draws is filled or not by the mode of the time when it is called.
+  scenes.push_back({"list_filled_and_as_lines", [](const GlFunctions& gl) {
+                      begin_lit_scene(gl);
+                      gl.NewList(1, GL_COMPILE);
+                      draw_cube(gl, 0.4F);
+                      draw_torus(gl, 0.15F, 0.3F);
+                      gl.EndList();
+                      gl.Rotatef(30, 1, 1, 0);
+                      gl.Translatef(-0.5F, 0, 0);
+                      gl.CallList(1);
+                      gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+                      gl.Translatef(1, 0, 0);
+                      gl.CallList(1);
+                    }});
+  scenes.push_back({"list_of_strips_as_lines",
+                    [](const GlFunctions& gl) { draw_tube_as_lines(gl, true); },
+                    {.mesa_departure = "M13",
+                     .reference = [](const GlFunctions& gl) { draw_tube_as_lines(gl, false); }}});
   scenes.push_back({"line_clipped", draw_clipped_lines});
   scenes.push_back(offset_scene("line_offset_nearer", GL_LINE, GL_POLYGON_OFFSET_LINE, -1, -1));
   scenes.push_back(offset_scene("line_offset_farther", GL_LINE, GL_POLYGON_OFFSET_LINE, 1, 4));
