@@ -134,26 +134,40 @@ Scene position_type_scene(std::string name, GLenum type, GLint components, float
           }};
 }
 
+constexpr std::array<GLfloat, 8> square_positions = {-0.9F, -0.9F, 0.9F, -0.8F,
+                                                     -0.8F, 0.9F,  0.9F, 0.8F};
+constexpr std::array<double, 16> square_colors = {0.1, 0.9, 0.4, 0.6, 0.8, 0.2, 0.5, 1.0,
+                                                  0.3, 0.6, 0.9, 0.5, 0.7, 0.0, 0.2, 0.8};
+
 template <typename Value>
 Scene color_type_scene(std::string name, GLenum type, GLint components, double unit) {
   return {std::move(name), [=](const GlFunctions& gl) {
             begin_flat_scene(gl);
-            const std::array<GLfloat, 8> positions = {-0.9F, -0.9F, 0.9F, -0.8F,
-                                                      -0.8F, 0.9F,  0.9F, 0.8F};
-            const std::array<double, 16> fractions = {0.1, 0.9, 0.4, 0.6, 0.8, 0.2, 0.5, 1.0,
-                                                      0.3, 0.6, 0.9, 0.5, 0.7, 0.0, 0.2, 0.8};
             std::vector<Value> colors;
             for (std::size_t vertex = 0; vertex < 4; ++vertex)
               for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
-                colors.push_back(static_cast<Value>(fractions[vertex * 4 + c] * unit));
+                colors.push_back(static_cast<Value>(square_colors[vertex * 4 + c] * unit));
             gl.EnableClientState(GL_VERTEX_ARRAY);
             gl.EnableClientState(GL_COLOR_ARRAY);
-            gl.VertexPointer(2, GL_FLOAT, 0, positions.data());
+            gl.VertexPointer(2, GL_FLOAT, 0, square_positions.data());
             gl.ColorPointer(components, type, 0, colors.data());
             gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
             gl.DisableClientState(GL_VERTEX_ARRAY);
             gl.DisableClientState(GL_COLOR_ARRAY);
           }};
+}
+
+void draw_with_byte_colors(const GlFunctions& gl) {
+  begin_flat_scene(gl);
+  gl.Begin(GL_TRIANGLE_STRIP);
+  for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+    std::array<GLbyte, 3> color{};
+    for (std::size_t c = 0; c < 3; ++c)
+      color[c] = static_cast<GLbyte>(square_colors[vertex * 4 + c] * 127);
+    gl.Color3bv(color.data());
+    gl.Vertex2fv(&square_positions[2 * vertex]);
+  }
+  gl.End();
 }
 
 template <typename Value>
@@ -258,7 +272,12 @@ std::vector<Scene> arrays_scenes() {
   scenes.push_back(position_type_scene<GLint>("position_int_3", GL_INT, 3, 50000));
   scenes.push_back(position_type_scene<GLfloat>("position_float_4", GL_FLOAT, 4, 1));
   scenes.push_back(position_type_scene<GLdouble>("position_double_3", GL_DOUBLE, 3, 7));
-  scenes.push_back(color_type_scene<GLbyte>("color_byte_3", GL_BYTE, 3, 127));
+  // M11. GL 2.1 spec table 2.9 maps the byte c to (2c + 1) / 255, in arrays as in glColor3b. Mesa
+  // does for glColor3b, but its arrays follow OpenGL 4.2, c / 127.
+  Scene byte_colors = color_type_scene<GLbyte>("color_byte_3", GL_BYTE, 3, 127);
+  byte_colors.traits.mesa_departure = "M11";
+  byte_colors.traits.reference = draw_with_byte_colors;
+  scenes.push_back(std::move(byte_colors));
   scenes.push_back(color_type_scene<GLubyte>("color_unsigned_byte_3", GL_UNSIGNED_BYTE, 3, 255));
   scenes.push_back(color_type_scene<GLshort>("color_short_4", GL_SHORT, 4, 32767));
   scenes.push_back(
@@ -271,7 +290,7 @@ std::vector<Scene> arrays_scenes() {
   // GL 2.1 spec table 2.9 maps the byte c to (2c + 1) / 255, in arrays as in glNormal3b. Mesa does
   // for glNormal3b, but its arrays follow OpenGL 4.2, c / 127.
   Scene byte_normals = normal_type_scene<GLbyte>("normal_byte", GL_BYTE, 127);
-  byte_normals.traits.mesa_departure = "signed arrays";
+  byte_normals.traits.mesa_departure = "M11";
   byte_normals.traits.reference = draw_with_byte_normals;
   scenes.push_back(std::move(byte_normals));
   scenes.push_back(normal_type_scene<GLshort>("normal_short", GL_SHORT, 32767));

@@ -28,7 +28,6 @@ void change_enables(const GlFunctions& gl) {
   gl.Disable(GL_DEPTH_TEST);
   gl.Enable(GL_BLEND);
   gl.Enable(GL_NORMALIZE);
-  gl.Enable(GL_COLOR_MATERIAL);
   gl.Enable(GL_LIGHT3);
 }
 
@@ -82,6 +81,31 @@ Scene pushed_scene(std::string name, GLbitfield mask, std::vector<Draw> changes)
             gl.PopAttrib();
             draw_witnesses(gl);
           }};
+}
+
+// Sixteen spheres with a material each: that of the level on the stack, or set just before.
+void draw_levels(const GlFunctions& gl, bool stacked) {
+  constexpr int levels = 16;
+  const auto set_material = [&gl](int level) {
+    const float f = static_cast<float>(level);
+    gl.Materialfv(GL_FRONT, GL_DIFFUSE, vec(0.06F * f, 0.9F - 0.05F * f, 0.4F));
+  };
+  begin_lit_scene(gl);
+  for (int i = 0; stacked && i < levels; ++i) {
+    set_material(i);
+    gl.PushAttrib(GL_LIGHTING_BIT | GL_CURRENT_BIT);
+  }
+  for (int i = levels - 1; i >= 0; --i) {
+    if (stacked)
+      gl.PopAttrib();
+    else
+      set_material(i);
+    gl.PushMatrix();
+    gl.Translatef(-0.75F + 0.5F * static_cast<float>(i % 4),
+                  -0.75F + 0.5F * static_cast<float>(i / 4), 0);
+    draw_sphere(gl, 0.2F, 8, 6);
+    gl.PopMatrix();
+  }
 }
 
 }  // namespace
@@ -141,24 +165,12 @@ std::vector<Scene> attribute_stack_scenes() {
       pushed_scene("all_groups", GL_ALL_ATTRIB_BITS,
                    {change_current, change_lights, change_enables, change_raster, change_buffers}),
       pushed_scene("nothing_pushed", 0, {change_lights, change_current}),
+      // Mesa brings the materials back only where lights did not change, nor other groups were
+      // pushed.
       {"nested_sixteen_deep",
-       [](const GlFunctions& gl) {
-         begin_lit_scene(gl);
-         for (int i = 0; i < 16; ++i) {
-           gl.PushAttrib(GL_LIGHTING_BIT | GL_CURRENT_BIT);
-           gl.Materialfv(
-               GL_FRONT, GL_DIFFUSE,
-               vec(0.06F * static_cast<float>(i), 0.9F - 0.05F * static_cast<float>(i), 0.4F));
-         }
-         for (int i = 0; i < 16; ++i) {
-           gl.PushMatrix();
-           gl.Translatef(-0.75F + 0.5F * static_cast<float>(i % 4),
-                         -0.75F + 0.5F * static_cast<float>(i / 4), 0);
-           draw_sphere(gl, 0.2F, 8, 6);
-           gl.PopMatrix();
-           gl.PopAttrib();
-         }
-       }},
+       [](const GlFunctions& gl) { draw_levels(gl, true); },
+       {.mesa_departure = "M9",
+        .reference = [](const GlFunctions& gl) { draw_levels(gl, false); }}},
       {"drawn_inside_and_after",
        [](const GlFunctions& gl) {
          begin_lit_scene(gl);

@@ -160,13 +160,18 @@ std::vector<Scene> vertex_formats_scenes() {
     const auto v = scaled<GLfloat>(color, 2.5);
     gl.Color4f(v[0], v[1] - 1, v[2], 0.5F);
   }));
-  // Color3 sets alpha to 1.
-  scenes.push_back(
+  // Color3 sets alpha to 1; after Color4 for the same vertex Mesa keeps that one's alpha.
+  Scene color_3_after_color_4 =
       color_scene("color_3_after_color_4", [](const GlFunctions& gl, const auto& color) {
-        const auto v = scaled<GLfloat>(color, 1);
         gl.Color4f(0, 0, 0, 0.2F);
-        gl.Color3f(v[0], v[1], v[2]);
-      }));
+        gl.Color3fv(scaled<GLfloat>(color, 1).data());
+      });
+  color_3_after_color_4.traits.mesa_departure = "M12";
+  color_3_after_color_4.traits.reference =
+      color_scene("", [](const GlFunctions& gl, const auto& color) {
+        gl.Color3fv(scaled<GLfloat>(color, 1).data());
+      }).draw;
+  scenes.push_back(std::move(color_3_after_color_4));
   // Attributes of texturing and fog leave an untextured, unfogged picture alone.
   scenes.push_back(color_scene("unused_attributes", [](const GlFunctions& gl, const auto& color) {
     gl.Color4dv(color.data());
