@@ -21,9 +21,9 @@ Backend::Backend(const Driver& loaded)
     : driver(loaded),
       buffers_(driver),
       programs_(driver),
-      vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes),
-      indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes),
-      uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes),
+      vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes, StreamBuffer::Use::kOneDraw),
+      indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes, StreamBuffer::Use::kOneDraw),
+      uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes, StreamBuffer::Use::kManyDraws),
       arrays_(driver),
       meshes_(driver),
       buffer_arrays_(driver) {
@@ -40,7 +40,7 @@ std::string Backend::program_source(Context& context) {
 }
 
 void Backend::reset_driver_state() {
-  bindings_known_ = false;
+  bound_program_ = bound_array_ = 0;  // no name of ours
   raster_.forget();
   derived_.stale.fill(true);
 }
@@ -62,6 +62,15 @@ void Backend::upload_block(Context& context, UniformBlock block, const void* dat
 }
 
 void Backend::upload_uniforms(Context& context) {
+  const std::uint64_t round = uniforms_.rounds();
+  upload_stale_blocks(context);
+  if (uniforms_.rounds() == round) return;
+  // The ring began anew: blocks that are not stale are bound to memory that is no longer theirs.
+  derived_.stale.fill(true);
+  upload_stale_blocks(context);
+}
+
+void Backend::upload_stale_blocks(Context& context) {
   if (derived_.stale[kTransformBlock])
     upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform);
   if (!derived_.key.lit) return;
@@ -100,17 +109,16 @@ bool Backend::use_program(Context& context, const ProgramKey& key) {
     diagnose(context, "the driver refused a generated program: " + programs_.error());
     return false;
   }
-  if (!bindings_known_ || program != bound_program_) {
+  if (program != bound_program_) {
     driver.UseProgram(program);
     bound_program_ = program;
     ++context.statistics.program_switches;
   }
-  bindings_known_ = true;
   return true;
 }
 
 void Backend::bind_vertex_array(GLuint array) {
-  if (bindings_known_ && array == bound_array_) return;
+  if (array == bound_array_) return;
   driver.BindVertexArray(array);
   bound_array_ = array;
 }

@@ -61,6 +61,7 @@ class Backend {
   /// Draws the batch when it has polygons, which become lines or points; otherwise false.
   bool draw_unfilled(Context& context);
   void upload_uniforms(Context& context);
+  void upload_stale_blocks(Context& context);
   void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size);
   void bind_vertex_array(GLuint array);
   void draw_runs(Context& context, std::uint32_t base_vertex);
@@ -83,7 +84,6 @@ class Backend {
   std::size_t uniform_alignment_ = 256;
   GLuint bound_program_ = 0;
   GLuint bound_array_ = 0;
-  bool bindings_known_ = false;
   std::vector<std::uint32_t> index_scratch_;
   std::vector<float> float_scratch_;
   std::vector<std::byte> block_scratch_;

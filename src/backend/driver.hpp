@@ -26,6 +26,7 @@ namespace legacy_gl {
   X(Clear, CLEAR) \
   X(ClearColor, CLEARCOLOR) \
   X(ClearStencil, CLEARSTENCIL) \
+  X(ClientWaitSync, CLIENTWAITSYNC) \
   X(ColorMask, COLORMASK) \
   X(CompileShader, COMPILESHADER) \
   X(CreateProgram, CREATEPROGRAM) \
@@ -34,6 +35,7 @@ namespace legacy_gl {
   X(DeleteBuffers, DELETEBUFFERS) \
   X(DeleteProgram, DELETEPROGRAM) \
   X(DeleteShader, DELETESHADER) \
+  X(DeleteSync, DELETESYNC) \
   X(DeleteVertexArrays, DELETEVERTEXARRAYS) \
   X(DepthFunc, DEPTHFUNC) \
   X(DepthMask, DEPTHMASK) \
@@ -44,6 +46,7 @@ namespace legacy_gl {
   X(DrawRangeElements, DRAWRANGEELEMENTS) \
   X(Enable, ENABLE) \
   X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
+  X(FenceSync, FENCESYNC) \
   X(Finish, FINISH) \
   X(Flush, FLUSH) \
   X(FrontFace, FRONTFACE) \

@@ -4,7 +4,7 @@
 
 #include "backend/driver.hpp"
 #include "backend/vertex_arrays.hpp"
-#include "dlist/list_mesh.hpp"
+#include "immediate/list_mesh.hpp"
 
 namespace legacy_gl {
 

@@ -1,8 +1,13 @@
 // Meshes of display lists, drawn from the buffers that keep them.
 #include "backend/backend.hpp"
+#include "immediate/draw_mesh.hpp"
 #include "shadergen/attributes.hpp"
 
 namespace legacy_gl {
+
+void draw_kept_mesh(Context& context, const ListMesh& mesh) {
+  context.backend->draw_mesh(context, mesh);
+}
 
 void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const VertexLayout wanted = Recorder::relevant_layout(context);
@@ -10,7 +15,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   bool uploaded = false;
   const MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
   if (uploaded) {
-    bindings_known_ = false;  // building the vertex array has bound it
+    bound_array_ = buffers.array;  // building it has bound it
     context.statistics.vertex_bytes_uploaded += mesh.vertices.size() * sizeof(float);
     context.statistics.index_bytes_uploaded += mesh.indices.size() * sizeof(std::uint32_t);
     context.statistics.list_vertices_welded += mesh.welded;

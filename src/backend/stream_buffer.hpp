@@ -1,15 +1,21 @@
 #pragma once
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "backend/driver.hpp"
 
 namespace legacy_gl {
 
-/// A ring in a buffer object. Writes never wait for the driver: a region is written once, and when the ring is full
-/// its storage is orphaned (glBufferData with NULL), so that draws under way keep theirs.
+/// A ring in a buffer object. Writes never wait for the driver: memory is used again only when a fence says that the
+/// driver has read it; until then the whole storage is orphaned (glBufferData with NULL), so that draws under way keep
+/// theirs.
 class StreamBuffer {
  public:
-  StreamBuffer(const Driver& driver, GLenum target, std::size_t size);
+  /// What is written is either drawn with before the next write, or stays bound for the draws of some time.
+  enum class Use { kOneDraw, kManyDraws };
+
+  StreamBuffer(const Driver& driver, GLenum target, std::size_t size, Use use);
   ~StreamBuffer();
   StreamBuffer(const StreamBuffer&) = delete;
   StreamBuffer& operator=(const StreamBuffer&) = delete;
@@ -23,15 +29,28 @@ class StreamBuffer {
   void unmap();
 
   GLuint name() const { return name_; }
+  /// Times that the ring began anew: what was written before is no longer there.
+  std::uint64_t rounds() const { return rounds_; }
 
  private:
+  static constexpr std::size_t kSegments = 4;
+
   std::size_t allocate(std::size_t size, std::size_t alignment);
+  std::size_t segment_of(std::size_t end) const;
+  bool enter_segments(std::size_t first, std::size_t last);
+  void orphan(std::size_t at_least);
+  void forget_fences();
 
   const Driver& driver_;
   GLenum target_;
+  Use use_;
   GLuint name_ = 0;
   std::size_t size_;
   std::size_t used_ = 0;
+  std::size_t segment_ = 0;  ///< the last one that was written to
+  std::uint64_t rounds_ = 0;
+  /// Each after the last draw that reads the segment; nullptr: it was not read yet in this storage.
+  std::array<GLsync, kSegments> fences_{};
 };
 
 }  // namespace legacy_gl

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "dlist/list_mesh.hpp"
+#include "immediate/list_mesh.hpp"
 #include "immediate/draw_mesh.hpp"
 
 namespace legacy_gl {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "dlist/list_mesh.hpp"
+#include "immediate/list_mesh.hpp"
 #include "immediate/vertex_layout.hpp"
 
 namespace legacy_gl {

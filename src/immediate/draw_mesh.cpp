@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "backend/backend.hpp"
 #include "state/context.hpp"
 
 namespace legacy_gl {
@@ -47,7 +46,7 @@ void draw_mesh(Context& context, const ListMesh& mesh) {
   if (polygon.front_mode != GL_FILL || polygon.back_mode != GL_FILL)
     return record_mesh(context, mesh);
   flush_pending(context);
-  context.backend->draw_mesh(context, mesh);
+  draw_kept_mesh(context, mesh);
 }
 
 }  // namespace legacy_gl

@@ -1,5 +1,5 @@
 #pragma once
-#include "dlist/list_mesh.hpp"
+#include "immediate/list_mesh.hpp"
 
 struct legacy_gl_context;
 
@@ -8,5 +8,8 @@ namespace legacy_gl {
 /// Draws a list's mesh in the present state: from a buffer that keeps it, or through the recorder where polygons are
 /// unfilled.
 void draw_mesh(legacy_gl_context& context, const ListMesh& mesh);
+
+/// The first of the two ways: the backend's.
+void draw_kept_mesh(legacy_gl_context& context, const ListMesh& mesh);
 
 }  // namespace legacy_gl
