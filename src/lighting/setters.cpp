@@ -120,10 +120,11 @@ void set_light_model(Context& context, GLenum pname, Floats4 values) {
       assign(context, model.two_side, values[0] != 0, kDirtyKey | kDirtyMaterial);
       break;
     case GL_LIGHT_MODEL_COLOR_CONTROL: {
-      const auto control = static_cast<GLenum>(values[0]);
-      if (control != GL_SINGLE_COLOR && control != GL_SEPARATE_SPECULAR_COLOR)
+      const bool separate = values[0] == static_cast<float>(GL_SEPARATE_SPECULAR_COLOR);
+      if (!separate && values[0] != static_cast<float>(GL_SINGLE_COLOR))
         return raise_error(context, GL_INVALID_ENUM);
-      assign(context, model.color_control, control, kDirtyKey);
+      assign(context, model.color_control,
+             separate ? GLenum{GL_SEPARATE_SPECULAR_COLOR} : GLenum{GL_SINGLE_COLOR}, kDirtyKey);
       break;
     }
     default: raise_error(context, GL_INVALID_ENUM);
