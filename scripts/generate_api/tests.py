@@ -17,9 +17,10 @@ def _error_case(row, error, built):
     for call, setup in chapters.expand(error["call"], error.get("setup", "")):
         name = call[call.index("gl.") + 3:].split("(")[0]
         listed = "true" if row.get("in_lists", True) else "false"
+        inside = "true" if row.get("inside_begin_end") is True else "false"
         is_built = "true" if name in built else "false"
         differs = json.dumps(error["mesa_differs"]) if "mesa_differs" in error else "nullptr"
-        yield (f'{{"gl{name}", {json.dumps(error["when"])}, {json.dumps(call)}, {error["code"]}, {is_built}, {listed}, '
+        yield (f'{{"gl{name}", {json.dumps(error["when"])}, {json.dumps(call)}, {error["code"]}, {is_built}, {listed}, {inside}, '
                f'{differs},\n {_lambda(setup)},\n {_lambda(call)}}},\n')
 
 
