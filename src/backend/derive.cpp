@@ -308,7 +308,9 @@ void Derived::fill_lights(const Context& context) {
     if (is_directional(light)) {
       const glm::dvec3 to_light = unit(position);
       uniforms.position = finite(rotation * to_light, 0);
-      uniforms.half_vector = finite(rotation * unit(to_light + glm::dvec3(0, 0, 1)), 0);
+      const glm::dvec3 half_vector = rotation * unit(to_light + glm::dvec3(0, 0, 1));
+      uniforms.half_vector = finite(half_vector, 0);
+      uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
     } else {
       const glm::dvec3 point = position / light.position_eye.w;
       uniforms.position = finite(rotation * (point - origin) / scale, 1);

@@ -48,9 +48,9 @@ float power_of_complement(float q, float s) {
 
 )";
 
-constexpr const char* kComplement = R"(// 1 - dot(n, h) for a unit vector h, exact where the two nearly meet. half_excess: (|n|^2 - 1) / 2
-float complement(vec3 n, vec3 h, float half_excess) {
-  vec3 e = n - h;
+constexpr const char* kComplement = R"(// 1 - dot(n, h) for a unit vector h, exact where the two nearly meet: e is n - h, half_excess
+// (|n|^2 - 1) / 2
+float complement(vec3 e, vec3 n, vec3 h, float half_excess) {
   return min(half_excess < 0.5 ? 0.5 * dot(e, e) - half_excess : 1.0 - dot(n, h), 1.0);
 }
 

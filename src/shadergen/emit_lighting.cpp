@@ -66,10 +66,14 @@ void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
     w.line("vec3 h = " + light + ".half_vector.xyz;");
 }
 
-std::string shine(const ProgramKey& key, unsigned face) {
+std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
+                  const std::string& light) {
   const std::string half_excess = key.normal == NormalMode::kNormalize ? "0.0" : "half_excess";
+  const std::string n = face ? "-n" : "n";
+  std::string chord = n + " - h";
+  if (!(kind & kLightPoint) && !key.local_viewer) chord += " - " + light + ".attenuation.xyz";
   const std::string q =
-      std::string("complement(") + (face ? "-n" : "n") + ", h, " + half_excess + ")";
+      "complement(" + chord + ", " + n + ", h, " + half_excess + ")";
   if (key.integer_shininess[face] != kGeneralShininess)
     return std::string(kSide[face]) + "_shine(" + q + ")";
   return "power_of_complement(" + q + ", " +
@@ -92,7 +96,7 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
     sum += "max(" + n_dot_l + ", 0.0) * " + product(key, face, kDiffuse, "diffuse", index);
   }
   if (kind & kLightSpecular) {
-    const std::string specular = "(" + facing + " ? " + shine(key, face) + " : 0.0) * " +
+    const std::string specular = "(" + facing + " ? " + shine(key, kind, face, "lights[" + index + "]") + " : 0.0) * " +
                                  product(key, face, kSpecular, "specular", index);
     if (key.separate_specular) {
       w.line(side + "_specular_sum += " + (scaled ? "strength * (" + specular + ")" : specular) +
