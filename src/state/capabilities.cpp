@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "backend/backend.hpp"
 #include "lighting/setters.hpp"
 
 namespace legacy_gl {
@@ -99,6 +100,28 @@ bool is_unbuilt_capability(GLenum capability) {
   }
 }
 
+namespace {
+
+/// OpenGL ES has neither these nor anything that could stand for them.
+bool is_missing_in_es(GLenum capability) {
+  switch (capability) {
+    case GL_COLOR_LOGIC_OP:
+    case GL_LINE_SMOOTH:
+    case GL_POLYGON_OFFSET_LINE:
+    case GL_POLYGON_OFFSET_POINT:
+    case GL_POLYGON_SMOOTH: return true;
+    default: return false;
+  }
+}
+
+std::string in_words(const char* format, GLenum capability) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, capability);
+  return text;
+}
+
+}  // namespace
+
 bool set_capability(Context& context, GLenum capability, bool enabled) {
   const GLenum light = capability - GL_LIGHT0;
   if (light < context.lighting.lights.size()) {
@@ -119,14 +142,14 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
   }
   if (is_unbuilt_capability(capability)) {
     if (!enabled) return true;
-    char name[64];
-    std::snprintf(name, sizeof name, "glEnable(0x%04X) is not built yet", capability);
-    diagnose(context, name);
+    diagnose(context, in_words("glEnable(0x%04X) is not built yet", capability));
     raise_error(context, GL_INVALID_OPERATION);
     return true;
   }
   bool* const flag = raster_flag(context.raster, capability);
   if (!flag) return false;
+  if (enabled && is_missing_in_es(capability) && context.backend->driver.is_es())
+    diagnose(context, in_words("glEnable(0x%04X) has no effect on OpenGL ES", capability));
   const std::uint32_t key = capability == GL_CULL_FACE ? std::uint32_t{kDirtyKey} : 0u;
   assign(context, *flag, enabled, kDirtyRaster | key);
   return true;

@@ -191,6 +191,31 @@ void everything(const GlFunctions& gl) {
     calls(gl);
 }
 
+/// Everything is changed between the push and the pop of some groups, and what no group has stays
+/// changed.
+template <GLbitfield Groups>
+void popped(const GlFunctions& gl) {
+  gl.PushAttrib(Groups);
+  for (const auto calls : {current_values, lighting, rasterization, window, depth_and_stencil,
+                           color_buffer, hints, second_texture_unit})
+    calls(gl);
+  gl.ListBase(9);
+  // What Mesa does not bring back: AttributeStack.BringsBackWhatMesaForgets.
+  gl.Disable(GL_LIGHT3);
+  gl.Disable(GL_COLOR_SUM);
+  gl.Hint(GL_GENERATE_MIPMAP_HINT, GL_DONT_CARE);
+  gl.PopAttrib();
+}
+
+template <GLbitfield Groups>
+void client_popped(const GlFunctions& gl) {
+  gl.PushClientAttrib(Groups);
+  client_arrays(gl);
+  pixel_store(gl);
+  gl.ClientActiveTexture(GL_TEXTURE2);
+  gl.PopClientAttrib();
+}
+
 /// All of it changed between the push and the pop.
 void everything_popped(const GlFunctions& gl) {
   gl.PushAttrib(GL_ALL_ATTRIB_BITS);
@@ -225,6 +250,32 @@ constexpr QueryCalls kCalls[] = {
     {"client_arrays", client_arrays},
     {"everything", everything},
     {"everything_popped", everything_popped},
+    {"popped_current", popped<GL_CURRENT_BIT>},
+    {"popped_point", popped<GL_POINT_BIT>},
+    {"popped_line", popped<GL_LINE_BIT>},
+    {"popped_polygon", popped<GL_POLYGON_BIT>},
+    {"popped_polygon_stipple", popped<GL_POLYGON_STIPPLE_BIT>},
+    {"popped_pixel_mode", popped<GL_PIXEL_MODE_BIT>},
+    {"popped_lighting", popped<GL_LIGHTING_BIT>},
+    {"popped_fog", popped<GL_FOG_BIT>},
+    {"popped_depth_buffer", popped<GL_DEPTH_BUFFER_BIT>},
+    {"popped_accum_buffer", popped<GL_ACCUM_BUFFER_BIT>},
+    {"popped_stencil_buffer", popped<GL_STENCIL_BUFFER_BIT>},
+    {"popped_viewport", popped<GL_VIEWPORT_BIT>},
+    {"popped_transform", popped<GL_TRANSFORM_BIT>},
+    {"popped_enable", popped<GL_ENABLE_BIT>},
+    {"popped_color_buffer", popped<GL_COLOR_BUFFER_BIT>},
+    {"popped_hint", popped<GL_HINT_BIT>},
+    {"popped_eval", popped<GL_EVAL_BIT>},
+    {"popped_list", popped<GL_LIST_BIT>},
+    {"popped_texture", popped<GL_TEXTURE_BIT>},
+    {"popped_scissor", popped<GL_SCISSOR_BIT>},
+    {"popped_multisample", popped<GL_MULTISAMPLE_BIT>},
+    {"popped_nothing", popped<0>},
+    {"popped_lighting_and_enable", popped<GL_LIGHTING_BIT | GL_ENABLE_BIT>},
+    {"popped_client_pixel_store", client_popped<GL_CLIENT_PIXEL_STORE_BIT>},
+    {"popped_client_vertex_array", client_popped<GL_CLIENT_VERTEX_ARRAY_BIT>},
+    {"popped_client_nothing", client_popped<0>},
 };
 
 }  // namespace
