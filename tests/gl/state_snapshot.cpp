@@ -63,23 +63,26 @@ std::vector<double> values_of(const GlFunctions& gl, Query query) {
 
 StateSnapshot take_snapshot(const GlFunctions& gl) {
   StateSnapshot snapshot;
-  for (const auto& [name, pname] : kValues)
-    snapshot[name] =
-        values_of<GLdouble>(gl, [&](GLdouble* values) { gl.GetDoublev(pname, values); });
-  for (const auto& [name, capability] : kCapabilities)
-    snapshot[name] = values_of<GLint>(gl, [&](GLint* value) { *value = gl.IsEnabled(capability); });
+  for (const NamedEnum& item : kValues)
+    snapshot[item.name] =
+        values_of<GLdouble>(gl, [&](GLdouble* values) { gl.GetDoublev(item.value, values); });
+  for (const NamedEnum& item : kCapabilities)
+    snapshot[item.name] =
+        values_of<GLint>(gl, [&](GLint* value) { *value = gl.IsEnabled(item.value); });
   for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light)
-    for (const auto& [name, pname] : kLightParameters)
-      snapshot["GL_LIGHT" + std::to_string(light - GL_LIGHT0) + " " + name] =
-          values_of<GLfloat>(gl, [&](GLfloat* values) { gl.GetLightfv(light, pname, values); });
+    for (const NamedEnum& item : kLightParameters)
+      snapshot["GL_LIGHT" + std::to_string(light - GL_LIGHT0) + " " + item.name] =
+          values_of<GLfloat>(gl,
+                             [&](GLfloat* values) { gl.GetLightfv(light, item.value, values); });
   for (const GLenum face : {GLenum{GL_FRONT}, GLenum{GL_BACK}})
-    for (const auto& [name, pname] : kMaterialParameters)
-      snapshot[(face == GL_FRONT ? "GL_FRONT " : "GL_BACK ") + std::string(name)] =
-          values_of<GLfloat>(gl, [&](GLfloat* values) { gl.GetMaterialfv(face, pname, values); });
-  for (const auto& [name, pname] : kPointers) {
-    snapshot[name] = values_of<std::uintptr_t>(gl, [&](std::uintptr_t* value) {
+    for (const NamedEnum& item : kMaterialParameters)
+      snapshot[(face == GL_FRONT ? "GL_FRONT " : "GL_BACK ") + std::string(item.name)] =
+          values_of<GLfloat>(gl,
+                             [&](GLfloat* values) { gl.GetMaterialfv(face, item.value, values); });
+  for (const NamedEnum& item : kPointers) {
+    snapshot[item.name] = values_of<std::uintptr_t>(gl, [&](std::uintptr_t* value) {
       void* pointer = nullptr;
-      gl.GetPointerv(pname, &pointer);
+      gl.GetPointerv(item.value, &pointer);
       *value = reinterpret_cast<std::uintptr_t>(pointer);
     });
   }
