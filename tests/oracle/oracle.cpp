@@ -207,7 +207,9 @@ FaceColors<Scalar> light_face(const State& state, const Material& material,
         n_dot_l != zero ? power(n_dot_h, material.shininess) : zero;  // f_i
     if (any_nonzero(material.specular, light.specular) && at.attenuation_times_spot != zero) {
       if (n_dot_l != zero && is_zero(at.half_vector)) result.defined = false;
-      const double jump = double(scalar::abs(n_dot_l_signed));
+      const Scalar normal_length = length(normal);
+      const double jump =
+          normal_length > zero ? double(scalar::abs(n_dot_l_signed) / normal_length) : 1.0;
       if (jump < result.distance_to_jump) result.distance_to_jump = jump;
     }
     for (std::size_t c = 0; c < 3; ++c) {
