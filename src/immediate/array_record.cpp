@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
+#include <optional>
 #include <vector>
 
+#include "immediate/array_gather.hpp"
+#include "immediate/list_mesh.hpp"
+#include "immediate/primitives.hpp"
 #include "state/context.hpp"
 
 namespace legacy_gl {
@@ -75,6 +80,55 @@ void copy_vertices(const ArrayViews& views, const RecordedArrays& head, std::uin
   }
 }
 
+/// Fewer vertices are played into the recorder, where neighbouring draws of one state join.
+constexpr std::uint32_t kMeshVertices = 32;
+
+/// The fields of a mesh that holds all that the arrays say; nothing when a mesh cannot.
+std::optional<VertexLayout> mesh_layout(const ArrayViews& views, const ElementRange& range) {
+  if (range.highest - range.lowest < kMeshVertices) return {};
+  if (has_other_w(views[kVertexArray], range.lowest, range.highest - range.lowest + 1)) return {};
+  VertexLayout layout;
+  for (unsigned i = 0; i < kArrayCount; ++i) {
+    if (!views[i].data) continue;
+    switch (i) {
+      case kVertexArray: break;
+      case kNormalArray: layout.fields |= kFieldNormal; break;
+      case kColorArray: layout.fields |= kFieldColor; break;
+      case kSecondaryColorArray: layout.fields |= kFieldSecondaryColor; break;
+      default: return {};
+    }
+  }
+  return layout;
+}
+
+/// A mesh of the vertices of `range`, drawn as they come, or those that `elements` names of them.
+void record_mesh(Context& context, const ArrayViews& views, const VertexLayout& layout, GLenum mode,
+                 const ElementRange& range, std::vector<std::uint32_t> elements) {
+  const auto mesh = std::make_shared<ListMesh>();
+  mesh->layout = layout;
+  const std::uint32_t vertex_count = range.highest - range.lowest + 1;
+  mesh->vertices.resize(std::size_t{vertex_count} * offsets_of(layout).stride);
+  ArrayGather(context, views, layout)(range.lowest, vertex_count, mesh->vertices.data());
+  const bool indexed = !elements.empty() || !draws_without_indices(mode);
+  const std::uint32_t count =
+      elements.empty() ? vertex_count : static_cast<std::uint32_t>(elements.size());
+  if (indexed && elements.empty()) {
+    elements.resize(count);
+    std::iota(elements.begin(), elements.end(), 0u);
+  }
+  mesh->elements = std::move(elements);
+  mesh->runs.push_back({mode, 0, count, indexed});
+  if (indexed) {
+    append_indices(mesh->runs[0], mesh->elements, 0, true, mesh->indices);
+    mesh->draws.push_back({core_mode(mode), true, 0, static_cast<std::uint32_t>(mesh->indices.size())});
+  } else {
+    mesh->firsts.push_back(0);
+    mesh->counts.push_back(static_cast<GLsizei>(count));
+    mesh->draws.push_back({mode, false, 0, 1});
+  }
+  context.lists.compiling_list->append_mesh(mesh);
+}
+
 }  // namespace
 
 void record_arrays(Context& context, const ArrayViews& views, GLenum mode, std::uint32_t first,
@@ -83,6 +137,9 @@ void record_arrays(Context& context, const ArrayViews& views, GLenum mode, std::
   if (!positions.data || first >= positions.readable) return;
   count = whole_primitives(mode, std::min(count, positions.readable - first));
   if (count == 0) return;
+  const ElementRange range{first, first + count - 1};
+  if (const auto layout = mesh_layout(views, range))
+    return record_mesh(context, views, *layout, mode, range, {});
   const RecordedArrays head = make_head(views, mode, count, 0);
   copy_vertices(views, head, first, count, reinterpret_cast<float*>(append(context, head)));
 }
@@ -91,10 +148,15 @@ void record_elements(Context& context, const ArrayViews& views, GLenum mode,
                      const ElementView& elements) {
   const std::uint32_t count = whole_primitives(mode, elements.count);
   if (count == 0 || !views[kVertexArray].data) return;
-  const std::vector<std::uint32_t> indices = read_elements({elements.data, elements.type, count});
+  std::vector<std::uint32_t> indices = read_elements({elements.data, elements.type, count});
   const ElementRange range = element_range({elements.data, elements.type, count});
   const bool shared =
       worth_indexing(range, count) && range.highest < views[kVertexArray].readable;
+  if (shared) {
+    for (std::uint32_t& index : indices) index -= range.lowest;
+    if (const auto layout = mesh_layout(views, range))
+      return record_mesh(context, views, *layout, mode, range, std::move(indices));
+  }
   const std::uint32_t vertex_count = shared ? range.highest - range.lowest + 1 : count;
   const RecordedArrays head = make_head(views, mode, vertex_count, shared ? count : 0);
   std::byte* const data = append(context, head);
@@ -105,8 +167,7 @@ void record_elements(Context& context, const ArrayViews& views, GLenum mode,
     return;
   }
   copy_vertices(views, head, range.lowest, vertex_count, vertices);
-  std::uint32_t* const to = reinterpret_cast<std::uint32_t*>(data + vertex_bytes(head));
-  for (std::uint32_t i = 0; i < count; ++i) to[i] = indices[i] - range.lowest;
+  std::memcpy(data + vertex_bytes(head), indices.data(), count * sizeof(std::uint32_t));
 }
 
 }  // namespace legacy_gl

@@ -297,6 +297,48 @@ TEST(ArraysRenders, ListsDereferenceWhenCompiled) {
   expect_as_mesa([&](const GlFunctions& gl) { draw(gl, true); }, "list_of_buffers");
 }
 
+// As many vertices as make a mesh that is kept in the driver's memory.
+TEST_P(ArraysMode, RendersListsAsMesa) {
+  const std::vector<Vertex> vertices = spiral(64);
+  std::vector<GLubyte> indices;
+  for (unsigned i = 0; i < 48; ++i) indices.push_back(static_cast<GLubyte>(5 + i * 11 % 57));
+  for (const bool indexed : {false, true})
+    for (const bool colored : {false, true})
+      expect_as_mesa(
+          [&](const GlFunctions& gl) {
+            gl.Scalef(0.9F, 0.9F, 0.5F);
+            point_at(gl, vertices);
+            if (!colored) gl.DisableClientState(GL_COLOR_ARRAY);
+            gl.NewList(1, GL_COMPILE);
+            if (indexed) gl.DrawElements(GetParam(), 47, GL_UNSIGNED_BYTE, indices.data());
+            else gl.DrawArrays(GetParam(), 5, 55);
+            gl.EndList();
+            gl.Color3f(0.3F, 0.9F, 0.4F);
+            gl.CallList(1);
+            gl.Color3f(0.8F, 0.1F, 0.4F);
+            gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+            gl.Translatef(0.1F, 0, 0);
+            gl.CallList(1);
+          },
+          std::string("list_") + (indexed ? "elements_" : "arrays_") + (colored ? "colored_" : "") + kModeNames[GetParam()]);
+}
+
+TEST(ArraysRenders, ListsAreUploadedOnce) {
+  const std::vector<Vertex> vertices = spiral(90);
+  ours().recreate();
+  const GlFunctions& gl = ours().gl;
+  point_at(gl, vertices);
+  gl.NewList(1, GL_COMPILE);
+  gl.DrawArrays(GL_TRIANGLES, 0, 90);
+  gl.EndList();
+  gl.CallList(1);
+  legacy_gl_flush();
+  legacy_gl_reset_statistics();
+  for (int i = 0; i < 3; ++i) gl.CallList(1);
+  EXPECT_EQ(statistics().draws, 3U);
+  EXPECT_EQ(statistics().vertex_bytes_uploaded, 0U);
+}
+
 TEST(ArraysRenders, ListsTakeCurrentValuesOfLater) {
   const std::vector<Vertex> vertices = spiral(6);
   expect_as_mesa(
