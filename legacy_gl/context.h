@@ -1,13 +1,14 @@
-/* Contexts of legacy_gl: create one over a core profile (GL >= 3.3) or GLES (>= 3.0) context that is current,
- * make it current, and call the OpenGL 1.x entry points of <legacy_gl/gl.h>.
+/* Contexts of legacy_gl: create one over a core profile (GL >= 3.3) or GLES (>= 3.0) context that
+ * is current, make it current, and call the OpenGL 1.x entry points of <legacy_gl/gl.h>.
  *
  *     legacy_gl_status status;
  *     legacy_gl_context *context = legacy_gl_create_context(loader, NULL, &status);
- *     if (!context) fprintf(stderr, "%s: %s\n", legacy_gl_status_string(status), legacy_gl_status_detail());
- *     legacy_gl_make_current(context);
+ *     if (!context) fprintf(stderr, "%s: %s\n", legacy_gl_status_string(status),
+ * legacy_gl_status_detail()); legacy_gl_make_current(context);
  *
- * Threads: one current context a thread; a context is current in at most one thread. Every function that reaches
- * the driver expects the driver context that was current at creation to be current in the calling thread.
+ * Threads: one current context a thread; a context is current in at most one thread. Every function
+ * that reaches the driver expects the driver context that was current at creation to be current in
+ * the calling thread.
  *
  * The contract with a program that also calls the core GL itself is docs/coexistence.md. */
 #ifndef LEGACY_GL_CONTEXT_H
@@ -24,95 +25,108 @@ extern "C" {
 typedef struct legacy_gl_context legacy_gl_context;
 
 typedef void (*legacy_gl_proc)(void);
-/** The driver's get-proc-address: OSMesaGetProcAddress, eglGetProcAddress, SDL_GL_GetProcAddress, ... */
-typedef legacy_gl_proc (*legacy_gl_loader)(const char *name);
+/** The driver's get-proc-address: OSMesaGetProcAddress, eglGetProcAddress, SDL_GL_GetProcAddress,
+ * ... */
+typedef legacy_gl_proc (*legacy_gl_loader)(const char* name);
 
 typedef enum legacy_gl_status {
   LEGACY_GL_OK = 0,
-  LEGACY_GL_INVALID_ARGUMENT,        /**< a NULL loader, or an option out of its range */
-  LEGACY_GL_NO_DRIVER_CONTEXT,       /**< the driver answers no version: no context of its own is current */
-  LEGACY_GL_DRIVER_TOO_OLD,          /**< below GL 3.3 and below GLES 3.0 */
-  LEGACY_GL_MISSING_FUNCTION,        /**< the loader has no address for a function that is needed */
-  LEGACY_GL_SHADER_FAILURE,          /**< the driver refused a generated program */
-  LEGACY_GL_CURRENT_ELSEWHERE,       /**< the context is current in another thread */
+  LEGACY_GL_INVALID_ARGUMENT,  /**< a NULL loader, or an option out of its range */
+  LEGACY_GL_NO_DRIVER_CONTEXT, /**< the driver answers no version: no context of its own is current
+                                */
+  LEGACY_GL_DRIVER_TOO_OLD,    /**< below GL 3.3 and below GLES 3.0 */
+  LEGACY_GL_MISSING_FUNCTION,  /**< the loader has no address for a function that is needed */
+  LEGACY_GL_SHADER_FAILURE,    /**< the driver refused a generated program */
+  LEGACY_GL_CURRENT_ELSEWHERE, /**< the context is current in another thread */
   LEGACY_GL_OUT_OF_MEMORY
 } legacy_gl_status;
 
 /** What one call's lighting may cost, and how wrong it may be: docs/accuracy.md has the figures. */
 typedef enum legacy_gl_quality {
   LEGACY_GL_QUALITY_DEFAULT = 0,
-  LEGACY_GL_QUALITY_FASTEST,         /**< error bounded by 0.25/255 */
-  LEGACY_GL_QUALITY_PRECISE,         /**< ten times as accurate as Mesa's fixed function, up to twice its time */
-  LEGACY_GL_QUALITY_PER_FRAGMENT     /**< Phong interpolation: the same equation in every fragment */
+  LEGACY_GL_QUALITY_FASTEST, /**< error bounded by 0.25/255 */
+  LEGACY_GL_QUALITY_PRECISE, /**< ten times as accurate as Mesa's fixed function, up to twice its
+                                time */
+  LEGACY_GL_QUALITY_PER_FRAGMENT /**< Phong interpolation: the same equation in every fragment */
 } legacy_gl_quality;
 
-/** Called once for each thing that a program asks for and this library does not do. `message` is valid during the call. */
-typedef void (*legacy_gl_diagnostic)(const char *message, void *user);
+/** Called once for each thing that a program asks for and this library does not do. `message` is
+ * valid during the call. */
+typedef void (*legacy_gl_diagnostic)(const char* message, void* user);
 
 /** Every field's zero means its default. */
 typedef struct legacy_gl_options {
-  unsigned max_lights;               /**< GL_MAX_LIGHTS: 8 to 256; 0: 8 */
+  unsigned max_lights; /**< GL_MAX_LIGHTS: 8 to 256; 0: 8 */
   legacy_gl_quality quality;
-  legacy_gl_diagnostic diagnostic;   /**< NULL: stderr */
-  void *diagnostic_user;
-  legacy_gl_context *share;          /**< display lists are shared with this context; NULL: with none */
+  legacy_gl_diagnostic diagnostic; /**< NULL: stderr */
+  void* diagnostic_user;
+  legacy_gl_context* share; /**< display lists are shared with this context; NULL: with none */
 } legacy_gl_options;
 
 /** Counters since creation or the last reset. Sizes in bytes. */
 typedef struct legacy_gl_statistics {
-  uint64_t programs_generated;       /**< program variants turned into GLSL text */
-  uint64_t programs_compiled;        /**< programs compiled and linked by the driver */
+  uint64_t programs_generated; /**< program variants turned into GLSL text */
+  uint64_t programs_compiled;  /**< programs compiled and linked by the driver */
   uint64_t program_switches;
-  uint64_t draws;                    /**< draw calls handed to the driver */
-  uint64_t batches;                  /**< groups of primitives that shared one state */
-  uint64_t vertices;                 /**< vertices handed to the driver */
+  uint64_t draws;    /**< draw calls handed to the driver */
+  uint64_t batches;  /**< groups of primitives that shared one state */
+  uint64_t vertices; /**< vertices handed to the driver */
   uint64_t vertex_bytes_uploaded;
   uint64_t index_bytes_uploaded;
   uint64_t uniform_bytes_uploaded;
   uint64_t uniform_block_updates;
-  uint64_t begin_end_merged;         /**< Begin/End pairs that joined the batch before them */
-  uint64_t lights_skipped;           /**< enabled lights that a draw left out since they add nothing */
-  uint64_t normal_matrix_updates;    /**< times the normal matrix was computed */
-  uint64_t list_vertices_welded;     /**< vertices that display lists share rather than repeat */
-  uint64_t primitives_clipped;       /**< list draws skipped since their bounds are outside the view volume */
+  uint64_t begin_end_merged;      /**< Begin/End pairs that joined the batch before them */
+  uint64_t lights_skipped;        /**< enabled lights that a draw left out since they add nothing */
+  uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
+  uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
+  uint64_t
+      primitives_clipped; /**< list draws skipped since their bounds are outside the view volume */
 } legacy_gl_statistics;
 
-/** Creates a context over the driver's current context. NULL options: defaults. On failure returns NULL and, when
- *  `status` is not NULL, says why there; legacy_gl_status_detail() names the function or the version. */
-LEGACY_GL_API legacy_gl_context *legacy_gl_create_context(legacy_gl_loader loader, const legacy_gl_options *options,
-                                                          legacy_gl_status *status);
+/** Creates a context over the driver's current context. NULL options: defaults. On failure returns
+ * NULL and, when `status` is not NULL, says why there; legacy_gl_status_detail() names the function
+ * or the version. */
+LEGACY_GL_API legacy_gl_context* legacy_gl_create_context(legacy_gl_loader loader,
+                                                          const legacy_gl_options* options,
+                                                          legacy_gl_status* status);
 
-/** Makes the context current in this thread; NULL releases the one that is. What the context before it had recorded
- *  is handed to the driver first. */
-LEGACY_GL_API legacy_gl_status legacy_gl_make_current(legacy_gl_context *context);
+/** Makes the context current in this thread; NULL releases the one that is. What the context before
+ * it had recorded is handed to the driver first. */
+LEGACY_GL_API legacy_gl_status legacy_gl_make_current(legacy_gl_context* context);
 
 /** The current context of this thread, or NULL. */
-LEGACY_GL_API legacy_gl_context *legacy_gl_get_current(void);
+LEGACY_GL_API legacy_gl_context* legacy_gl_get_current(void);
 
-/** Destroys the context and its driver objects. The driver context must be current. NULL is ignored. */
-LEGACY_GL_API void legacy_gl_destroy_context(legacy_gl_context *context);
+/** Destroys the context and its driver objects. The driver context must be current. NULL is
+ * ignored. */
+LEGACY_GL_API void legacy_gl_destroy_context(legacy_gl_context* context);
 
-/** "glLightfv" -> the address of lglLightfv; NULL for a name that OpenGL 1.0 to 1.5 does not have. */
-LEGACY_GL_API legacy_gl_proc legacy_gl_get_proc_address(const char *name);
+/** "glLightfv" -> the address of lglLightfv; NULL for a name that OpenGL 1.0 to 1.5 does not have.
+ */
+LEGACY_GL_API legacy_gl_proc legacy_gl_get_proc_address(const char* name);
 
-/** Hands all that is recorded to the driver. Call before touching the framebuffer or swapping by other means. */
+/** Hands all that is recorded to the driver. Call before touching the framebuffer or swapping by
+ * other means. */
 LEGACY_GL_API void legacy_gl_flush(void);
 
-/** Forgets what this library believes is bound in the driver: call after the program used the core GL itself. */
+/** Forgets what this library believes is bound in the driver: call after the program used the core
+ * GL itself. */
 LEGACY_GL_API void legacy_gl_reset_driver_state(void);
 
-LEGACY_GL_API void legacy_gl_get_statistics(legacy_gl_statistics *statistics);
+LEGACY_GL_API void legacy_gl_get_statistics(legacy_gl_statistics* statistics);
 LEGACY_GL_API void legacy_gl_reset_statistics(void);
 
-/** The program key in words, the vertex shader and the fragment shader of the program that the current state draws
- *  with. Writes at most `size` bytes with the closing 0, returns the length that the whole text has. */
-LEGACY_GL_API size_t legacy_gl_get_program_source(char *text, size_t size);
+/** The program key in words, the vertex shader and the fragment shader of the program that the
+ * current state draws with. Writes at most `size` bytes with the closing 0, returns the length that
+ * the whole text has. */
+LEGACY_GL_API size_t legacy_gl_get_program_source(char* text, size_t size);
 
 /** The status in words, e.g. "the driver is too old". */
-LEGACY_GL_API const char *legacy_gl_status_string(legacy_gl_status status);
+LEGACY_GL_API const char* legacy_gl_status_string(legacy_gl_status status);
 
-/** What the last status of this thread that was not LEGACY_GL_OK was about, e.g. "glMapBufferRange". */
-LEGACY_GL_API const char *legacy_gl_status_detail(void);
+/** What the last status of this thread that was not LEGACY_GL_OK was about, e.g.
+ * "glMapBufferRange". */
+LEGACY_GL_API const char* legacy_gl_status_detail(void);
 
 #ifdef __cplusplus
 }

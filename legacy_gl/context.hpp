@@ -1,4 +1,5 @@
-/// C++ over <legacy_gl/context.h>: a context that destroys itself, and a failure that carries its words.
+/// C++ over <legacy_gl/context.h>: a context that destroys itself, and a failure that carries its
+/// words.
 #ifndef LEGACY_GL_CONTEXT_HPP
 #define LEGACY_GL_CONTEXT_HPP
 

@@ -115,9 +115,7 @@ static void draw_shapes(const settings* s) {
     set_material(s, GL_BACK, s->back_material);
     glPushMatrix();
     switch (i) {
-      case SHAPE_SPHERE:
-        glTranslatef(-2.3f, 1.0f, -0.2f);
-        break;
+      case SHAPE_SPHERE: glTranslatef(-2.3f, 1.0f, -0.2f); break;
       case SHAPE_CUBE:
         glTranslatef(2.35f, 0.78f, -0.35f);
         glRotatef(-52.0f, 0.0f, 1.0f, 0.0f);

@@ -1,4 +1,5 @@
-// GL 2.1 spec 2.8: what the client arrays are. No display list holds these commands (5.4), but for glActiveTexture.
+// GL 2.1 spec 2.8: what the client arrays are. No display list holds these commands (5.4), but for
+// glActiveTexture.
 #include "immediate/client_arrays.hpp"
 
 #include <cstdint>
@@ -49,7 +50,8 @@ bool takes_type(unsigned array, GLenum type) {
   }
 }
 
-void point(Context& c, unsigned array, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+void point(Context& c, unsigned array, GLint size, GLenum type, GLsizei stride,
+           const void* pointer) {
   if (inside(c)) return;
   if (!takes_size(array, size) || stride < 0) return raise_error(c, GL_INVALID_VALUE);
   if (!takes_type(array, type)) return raise_error(c, GL_INVALID_ENUM);
@@ -136,35 +138,54 @@ void get_pointer(Context& c, GLenum name, void** pointer) {
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglVertexPointer(GLint size, GLenum type, GLsizei stride,
+                                                       const void* pointer) {
   execute_now<point>(unsigned{kVertexArray}, size, type, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormalPointer(GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormalPointer(GLenum type, GLsizei stride,
+                                                       const void* pointer) {
   execute_now<point>(unsigned{kNormalArray}, 3, type, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorPointer(GLint size, GLenum type, GLsizei stride,
+                                                      const void* pointer) {
   execute_now<point>(unsigned{kColorArray}, size, type, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColorPointer(GLint size, GLenum type,
+                                                               GLsizei stride,
+                                                               const void* pointer) {
   execute_now<point>(unsigned{kSecondaryColorArray}, size, type, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoordPointer(GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoordPointer(GLenum type, GLsizei stride,
+                                                         const void* pointer) {
   execute_now<point>(unsigned{kFogCoordArray}, 1, type, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexPointer(GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexPointer(GLenum type, GLsizei stride,
+                                                      const void* pointer) {
   execute_now<point>(unsigned{kIndexArray}, 1, type, stride, pointer);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEdgeFlagPointer(GLsizei stride, const void* pointer) {
   execute_now<point>(unsigned{kEdgeFlagArray}, 1, GLenum{GL_UNSIGNED_BYTE}, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexCoordPointer(GLint size, GLenum type, GLsizei stride,
+                                                         const void* pointer) {
   execute_now<point_texcoord>(size, type, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnableClientState(GLenum array) { execute_now<enable_client_state>(array, true); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDisableClientState(GLenum array) { execute_now<enable_client_state>(array, false); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglClientActiveTexture(GLenum texture) { execute_now<client_active_texture>(texture); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglActiveTexture(GLenum texture) { dispatch<active_texture>(texture); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnableClientState(GLenum array) {
+  execute_now<enable_client_state>(array, true);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglDisableClientState(GLenum array) {
+  execute_now<enable_client_state>(array, false);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglClientActiveTexture(GLenum texture) {
+  execute_now<client_active_texture>(texture);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglActiveTexture(GLenum texture) {
+  dispatch<active_texture>(texture);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglInterleavedArrays(GLenum format, GLsizei stride,
+                                                           const void* pointer) {
   execute_now<interleaved_arrays>(format, stride, pointer);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPointerv(GLenum pname, void** params) { execute_now<get_pointer>(pname, params); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPointerv(GLenum pname, void** params) {
+  execute_now<get_pointer>(pname, params);
+}

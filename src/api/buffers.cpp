@@ -94,8 +94,7 @@ void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, G
   if (size < 0) return raise_error(c, GL_INVALID_VALUE);
   BufferObject* const buffer = bound_buffer(c, target);
   if (!buffer) return;
-  if (!c.backend->buffers().set_data(*buffer, size, data, usage))
-    raise_error(c, GL_OUT_OF_MEMORY);
+  if (!c.backend->buffers().set_data(*buffer, size, data, usage)) raise_error(c, GL_OUT_OF_MEMORY);
 }
 
 void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size,
@@ -163,24 +162,41 @@ void get_buffer_pointer(Context& c, GLenum target, GLenum name, void** pointer) 
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGenBuffers(GLsizei n, GLuint* buffers) { execute_now<gen_buffers>(n, buffers); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBindBuffer(GLenum target, GLuint buffer) { execute_now<bind_buffer>(target, buffer); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteBuffers(GLsizei n, const GLuint* buffers) { execute_now<delete_buffers>(n, buffers); }
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsBuffer(GLuint buffer) { return execute_now<is_buffer>(buffer); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGenBuffers(GLsizei n, GLuint* buffers) {
+  execute_now<gen_buffers>(n, buffers);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglBindBuffer(GLenum target, GLuint buffer) {
+  execute_now<bind_buffer>(target, buffer);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteBuffers(GLsizei n, const GLuint* buffers) {
+  execute_now<delete_buffers>(n, buffers);
+}
+LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsBuffer(GLuint buffer) {
+  return execute_now<is_buffer>(buffer);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglBufferData(GLenum target, GLsizeiptr size,
+                                                    const void* data, GLenum usage) {
   execute_now<buffer_data>(target, size, data, usage);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglBufferSubData(GLenum target, GLintptr offset,
+                                                       GLsizeiptr size, const void* data) {
   execute_now<buffer_sub_data>(target, offset, size, data);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferSubData(GLenum target, GLintptr offset,
+                                                          GLsizeiptr size, void* data) {
   execute_now<get_buffer_sub_data>(target, offset, size, data);
 }
-LEGACY_GL_API void* LEGACY_GL_APIENTRY lglMapBuffer(GLenum target, GLenum access) { return execute_now<map_buffer>(target, access); }
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglUnmapBuffer(GLenum target) { return execute_now<unmap_buffer>(target); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) {
+LEGACY_GL_API void* LEGACY_GL_APIENTRY lglMapBuffer(GLenum target, GLenum access) {
+  return execute_now<map_buffer>(target, access);
+}
+LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglUnmapBuffer(GLenum target) {
+  return execute_now<unmap_buffer>(target);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferParameteriv(GLenum target, GLenum pname,
+                                                              GLint* params) {
   execute_now<get_buffer_parameter>(target, pname, params);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferPointerv(GLenum target, GLenum pname, void** params) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetBufferPointerv(GLenum target, GLenum pname,
+                                                           void** params) {
   execute_now<get_buffer_pointer>(target, pname, params);
 }

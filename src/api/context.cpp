@@ -58,8 +58,7 @@ void diagnose(Context& context, const std::string& message) {
   if (!context.diagnostics_given.insert(message).second) return;
   if (context.options.diagnostic)
     context.options.diagnostic(message.c_str(), context.options.diagnostic_user);
-  else
-    std::fprintf(stderr, "legacy_gl: %s\n", message.c_str());
+  else std::fprintf(stderr, "legacy_gl: %s\n", message.c_str());
 }
 
 void report_no_context() {

@@ -1,4 +1,5 @@
-// GL 2.1 spec 2.8: drawing from client arrays. In a display list they are dereferenced when compiled (5.4).
+// GL 2.1 spec 2.8: drawing from client arrays. In a display list they are dereferenced when
+// compiled (5.4).
 #include "backend/array_draw.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
@@ -13,7 +14,8 @@ bool is_element_type(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
-/// The error of a draw whose arguments would be fine inside no Begin/End; GL_NO_ERROR: it may be drawn.
+/// The error of a draw whose arguments would be fine inside no Begin/End; GL_NO_ERROR: it may be
+/// drawn.
 GLenum draw_error(Context& c, GLenum mode, bool elements) {
   if (mode > GL_POLYGON) return GL_INVALID_ENUM;
   return draws_from_mapped_buffer(c, elements) ? GLenum{GL_INVALID_OPERATION} : GLenum{GL_NO_ERROR};
@@ -35,8 +37,7 @@ void draw(Context& c, const ArrayDraw& arguments) {
     ReadableArrays readable(c);
     if (arguments.is_indexed())
       record_elements(c, readable.views(), arguments.mode, readable.elements(arguments));
-    else
-      record_arrays(c, readable.views(), arguments.mode, arguments.first, arguments.count);
+    else record_arrays(c, readable.views(), arguments.mode, arguments.first, arguments.count);
     if (c.lists.mode == GL_COMPILE) return;
   }
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
@@ -126,19 +127,27 @@ void array_element_call(Context& c, GLint i) {
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglArrayElement(GLint i) { execute_now<array_element_call>(i); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglArrayElement(GLint i) {
+  execute_now<array_element_call>(i);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawArrays(GLenum mode, GLint first, GLsizei count) {
   execute_now<draw_arrays_call>(mode, first, count);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawElements(GLenum mode, GLsizei count, GLenum type,
+                                                      const void* indices) {
   execute_now<draw_elements_call>(mode, count, type, indices);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawRangeElements(GLenum mode, GLuint start, GLuint end,
+                                                           GLsizei count, GLenum type,
+                                                           const void* indices) {
   execute_now<draw_range_elements_call>(mode, start, end, count, type, indices);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawArrays(GLenum mode, const GLint* first,
+                                                         const GLsizei* count, GLsizei drawcount) {
   execute_now<multi_draw_arrays_call>(mode, first, count, drawcount);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultiDrawElements(GLenum mode, const GLsizei* count,
+                                                           GLenum type, const void* const* indices,
+                                                           GLsizei drawcount) {
   execute_now<multi_draw_elements_call>(mode, count, type, indices, drawcount);
 }

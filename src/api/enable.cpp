@@ -61,7 +61,9 @@ void clear(Context& c, GLbitfield mask) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnable(GLenum cap) { dispatch<enable>(cap, true); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDisable(GLenum cap) { dispatch<enable>(cap, false); }
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsEnabled(GLenum cap) { return execute_now<is_enabled>(cap); }
+LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsEnabled(GLenum cap) {
+  return execute_now<is_enabled>(cap);
+}
 LEGACY_GL_API GLenum LEGACY_GL_APIENTRY lglGetError(void) { return execute_now<get_error>(); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFlush(void) { execute_now<flush>(); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFinish(void) { execute_now<finish>(); }

@@ -34,7 +34,8 @@ Floats4 read(const GLint* values, unsigned count, bool is_color) {
   return result;
 }
 
-/// The scalar calls take only pnames with one value: any other becomes one that every setter refuses.
+/// The scalar calls take only pnames with one value: any other becomes one that every setter
+/// refuses.
 GLenum scalar_only(GLenum pname, unsigned count) { return count == 1 ? pname : GL_NONE; }
 
 }  // namespace
@@ -42,7 +43,8 @@ GLenum scalar_only(GLenum pname, unsigned count) { return count == 1 ? pname : G
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightf(GLenum light, GLenum pname, GLfloat param) {
   dispatch<set_light>(light, scalar_only(pname, light_parameter_count(pname)), Floats4{param});
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightfv(GLenum light, GLenum pname, const GLfloat* params) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightfv(GLenum light, GLenum pname,
+                                                 const GLfloat* params) {
   dispatch<set_light>(light, pname, read(params, light_parameter_count(pname)));
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLighti(GLenum light, GLenum pname, GLint param) {
@@ -54,8 +56,7 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightiv(GLenum light, GLenum pname, con
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightModelf(GLenum pname, GLfloat param) {
-  dispatch<set_light_model>(scalar_only(pname, light_model_parameter_count(pname)),
-                            Floats4{param});
+  dispatch<set_light_model>(scalar_only(pname, light_model_parameter_count(pname)), Floats4{param});
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightModelfv(GLenum pname, const GLfloat* params) {
   dispatch<set_light_model>(pname, read(params, light_model_parameter_count(pname)));
@@ -64,26 +65,29 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightModeli(GLenum pname, GLint param) 
   lglLightModelf(pname, static_cast<GLfloat>(param));
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightModeliv(GLenum pname, const GLint* params) {
-  dispatch<set_light_model>(pname, read(params, light_model_parameter_count(pname),
-                                        pname == GL_LIGHT_MODEL_AMBIENT));
+  dispatch<set_light_model>(
+      pname, read(params, light_model_parameter_count(pname), pname == GL_LIGHT_MODEL_AMBIENT));
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialf(GLenum face, GLenum pname, GLfloat param) {
-  dispatch<set_material>(face, scalar_only(pname, material_parameter_count(pname)),
-                         Floats4{param});
+  dispatch<set_material>(face, scalar_only(pname, material_parameter_count(pname)), Floats4{param});
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialfv(GLenum face, GLenum pname,
+                                                    const GLfloat* params) {
   dispatch<set_material>(face, pname, read(params, material_parameter_count(pname)));
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMateriali(GLenum face, GLenum pname, GLint param) {
   lglMaterialf(face, pname, static_cast<GLfloat>(param));
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialiv(GLenum face, GLenum pname, const GLint* params) {
-  dispatch<set_material>(
-      face, pname, read(params, material_parameter_count(pname), is_material_color(pname)));
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialiv(GLenum face, GLenum pname,
+                                                    const GLint* params) {
+  dispatch<set_material>(face, pname,
+                         read(params, material_parameter_count(pname), is_material_color(pname)));
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorMaterial(GLenum face, GLenum mode) {
   dispatch<set_color_material>(face, mode);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglShadeModel(GLenum mode) { dispatch<set_shade_model>(mode); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglShadeModel(GLenum mode) {
+  dispatch<set_shade_model>(mode);
+}

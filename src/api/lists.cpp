@@ -18,8 +18,7 @@ bool in_begin_end(Context& c) {
 void new_list(Context& c, GLuint name, GLenum mode) {
   if (in_begin_end(c)) return;
   if (name == 0) return raise_error(c, GL_INVALID_VALUE);
-  if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE)
-    return raise_error(c, GL_INVALID_ENUM);
+  if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return raise_error(c, GL_INVALID_ENUM);
   if (c.lists.compiling) return raise_error(c, GL_INVALID_OPERATION);
   c.lists.compiling = true;
   c.lists.mode = mode;
@@ -73,11 +72,10 @@ std::int64_t list_offset(GLenum type, const void* lists, GLsizei i) {
     case GL_UNSIGNED_INT: return static_cast<const GLuint*>(lists)[at];
     case GL_FLOAT: return float_offset(static_cast<const GLfloat*>(lists)[at]);
     case GL_2_BYTES: return bytes[2 * at] * 256 + bytes[2 * at + 1];
-    case GL_3_BYTES:
-      return bytes[3 * at] * 65536 + bytes[3 * at + 1] * 256 + bytes[3 * at + 2];
+    case GL_3_BYTES: return bytes[3 * at] * 65536 + bytes[3 * at + 1] * 256 + bytes[3 * at + 2];
     case GL_4_BYTES:
-      return std::int64_t{bytes[4 * at]} << 24 | bytes[4 * at + 1] << 16 |
-             bytes[4 * at + 2] << 8 | bytes[4 * at + 3];
+      return std::int64_t{bytes[4 * at]} << 24 | bytes[4 * at + 1] << 16 | bytes[4 * at + 2] << 8 |
+             bytes[4 * at + 3];
     default: return -1;
   }
 }
@@ -112,7 +110,9 @@ void call_lists_error(Context& c, GLenum error) { raise_error(c, error); }
 
 }  // namespace
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglNewList(GLuint list, GLenum mode) { execute_now<new_list>(list, mode); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglNewList(GLuint list, GLenum mode) {
+  execute_now<new_list>(list, mode);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEndList(void) { execute_now<end_list>(); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCallList(GLuint list) { dispatch<call_list>(list); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCallLists(GLsizei n, GLenum type, const void* lists) {
@@ -122,8 +122,12 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglCallLists(GLsizei n, GLenum type, const
     dispatch<call_list_at_base>(static_cast<GLuint>(list_offset(type, lists, i)));
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglListBase(GLuint base) { dispatch<list_base>(base); }
-LEGACY_GL_API GLuint LEGACY_GL_APIENTRY lglGenLists(GLsizei range) { return execute_now<gen_lists>(range); }
+LEGACY_GL_API GLuint LEGACY_GL_APIENTRY lglGenLists(GLsizei range) {
+  return execute_now<gen_lists>(range);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteLists(GLuint list, GLsizei range) {
   execute_now<delete_lists>(list, range);
 }
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsList(GLuint list) { return execute_now<is_list>(list); }
+LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsList(GLuint list) {
+  return execute_now<is_list>(list);
+}

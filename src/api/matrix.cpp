@@ -23,7 +23,8 @@ MatrixStack& current_stack(Context& c) {
   }
 }
 
-/// Outside Begin/End: what is recorded is drawn with the matrix it was recorded under; then the top may change.
+/// Outside Begin/End: what is recorded is drawn with the matrix it was recorded under; then the top
+/// may change.
 template <typename Change>
 void change_top(Context& c, Change change) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
@@ -100,10 +101,18 @@ void pop_matrix(Context& c) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMatrixMode(GLenum mode) { dispatch<matrix_mode>(mode); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadIdentity(void) { dispatch<load_identity>(); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadMatrixf(const GLfloat* m) { dispatch<load_matrix>(read(m)); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadMatrixd(const GLdouble* m) { dispatch<load_matrix>(read(m)); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultMatrixf(const GLfloat* m) { dispatch<multiply_matrix>(read(m)); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultMatrixd(const GLdouble* m) { dispatch<multiply_matrix>(read(m)); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadMatrixf(const GLfloat* m) {
+  dispatch<load_matrix>(read(m));
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadMatrixd(const GLdouble* m) {
+  dispatch<load_matrix>(read(m));
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultMatrixf(const GLfloat* m) {
+  dispatch<multiply_matrix>(read(m));
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglMultMatrixd(const GLdouble* m) {
+  dispatch<multiply_matrix>(read(m));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadTransposeMatrixf(const GLfloat* m) {
   dispatch<load_matrix>(MatrixValues{glm::transpose(read(m).m)});
 }
@@ -121,7 +130,8 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPopMatrix(void) { dispatch<pop_matrix>(
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z) {
   dispatch<rotate_by>(angle, x, y, z);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglRotated(GLdouble angle, GLdouble x, GLdouble y,
+                                                 GLdouble z) {
   lglRotatef(static_cast<float>(angle), static_cast<float>(x), static_cast<float>(y),
              static_cast<float>(z));
 }
@@ -131,13 +141,17 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglTranslatef(GLfloat x, GLfloat y, GLfloa
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTranslated(GLdouble x, GLdouble y, GLdouble z) {
   lglTranslatef(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglScalef(GLfloat x, GLfloat y, GLfloat z) { dispatch<scale_by>(x, y, z); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglScalef(GLfloat x, GLfloat y, GLfloat z) {
+  dispatch<scale_by>(x, y, z);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglScaled(GLdouble x, GLdouble y, GLdouble z) {
   lglScalef(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglOrtho(GLdouble left, GLdouble right, GLdouble bottom,
+                                               GLdouble top, GLdouble zNear, GLdouble zFar) {
   dispatch<multiply_ortho>(Box{left, right, bottom, top, zNear, zFar});
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglFrustum(GLdouble left, GLdouble right, GLdouble bottom,
+                                                 GLdouble top, GLdouble zNear, GLdouble zFar) {
   dispatch<multiply_frustum>(Box{left, right, bottom, top, zNear, zFar});
 }

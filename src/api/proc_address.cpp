@@ -25,8 +25,8 @@ const EntryPoint kEntryPoints[] = {
 legacy_gl_proc legacy_gl_get_proc_address(const char* name) {
   if (!name || std::strncmp(name, "gl", 2) != 0) return nullptr;
   const std::string_view wanted = name + 2;
-  const auto* const at =
-      std::lower_bound(std::begin(kEntryPoints), std::end(kEntryPoints), wanted,
-                       [](const EntryPoint& entry, std::string_view key) { return entry.name < key; });
+  const auto* const at = std::lower_bound(
+      std::begin(kEntryPoints), std::end(kEntryPoints), wanted,
+      [](const EntryPoint& entry, std::string_view key) { return entry.name < key; });
   return at != std::end(kEntryPoints) && at->name == wanted ? at->address : nullptr;
 }

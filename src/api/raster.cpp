@@ -1,4 +1,5 @@
-// The per-fragment and rasterisation state that the core profile still has (GL 2.1 spec 2.12, 3.3 to 3.5, 4.1, 4.2).
+// The per-fragment and rasterisation state that the core profile still has (GL 2.1 spec 2.12, 3.3
+// to 3.5, 4.1, 4.2).
 #include <algorithm>
 
 #include "backend/backend.hpp"
@@ -47,11 +48,9 @@ bool is_source_factor(GLenum f) {
   return f == GL_ZERO || f == GL_ONE || (f >= GL_SRC_COLOR && f <= GL_SRC_ALPHA_SATURATE) ||
          (f >= GL_CONSTANT_COLOR && f <= GL_ONE_MINUS_CONSTANT_ALPHA);
 }
-bool is_destination_factor(GLenum f) {
-  return is_source_factor(f) && f != GL_SRC_ALPHA_SATURATE;
-}
-void blend_func_separate(Context& c, GLenum source_rgb, GLenum destination_rgb,
-                         GLenum source_alpha, GLenum destination_alpha) {
+bool is_destination_factor(GLenum f) { return is_source_factor(f) && f != GL_SRC_ALPHA_SATURATE; }
+void blend_func_separate(Context& c, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
+                         GLenum destination_alpha) {
   if (refused(c,
               is_source_factor(source_rgb) && is_source_factor(source_alpha) &&
                   is_destination_factor(destination_rgb) &&
@@ -106,8 +105,7 @@ void front_face(Context& c, GLenum mode) {
   set(c, c.raster.polygon.front_face, mode);
 }
 void polygon_mode(Context& c, GLenum face, GLenum mode) {
-  const bool valid =
-      is_face(face) && (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL);
+  const bool valid = is_face(face) && (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL);
   if (refused(c, valid, GL_INVALID_ENUM)) return;
   if (face != GL_BACK) set(c, c.raster.polygon.front_mode, mode);
   if (face != GL_FRONT) set(c, c.raster.polygon.back_mode, mode);
@@ -181,30 +179,43 @@ void sample_coverage(Context& c, float value, GLboolean invert) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthFunc(GLenum func) { dispatch<depth_func>(func); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthMask(GLboolean flag) { dispatch<depth_mask>(flag); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthRange(GLdouble n, GLdouble f) { dispatch<depth_range>(n, f); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearDepth(GLdouble depth) { dispatch<clear_depth>(depth); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthRange(GLdouble n, GLdouble f) {
+  dispatch<depth_range>(n, f);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearDepth(GLdouble depth) {
+  dispatch<clear_depth>(depth);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendFunc(GLenum sfactor, GLenum dfactor) {
   dispatch<blend_func_separate>(sfactor, dfactor, sfactor, dfactor);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB,
+                                                           GLenum sfactorAlpha,
+                                                           GLenum dfactorAlpha) {
   dispatch<blend_func_separate>(sfactorRGB, dfactorRGB, sfactorAlpha, dfactorAlpha);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendEquation(GLenum mode) { dispatch<blend_equation>(mode); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendEquation(GLenum mode) {
+  dispatch<blend_equation>(mode);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglBlendColor(GLfloat red, GLfloat green, GLfloat blue,
+                                                    GLfloat alpha) {
   dispatch<blend_color>(red, green, blue, alpha);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLogicOp(GLenum opcode) { dispatch<logic_op>(opcode); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorMask(GLboolean red, GLboolean green, GLboolean blue,
+                                                   GLboolean alpha) {
   dispatch<color_mask>(red, green, blue, alpha);
 }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearColor(GLfloat red, GLfloat green, GLfloat blue,
+                                                    GLfloat alpha) {
   dispatch<clear_color>(red, green, blue, alpha);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearIndex(GLfloat c) { dispatch<clear_index>(c); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexMask(GLuint mask) { dispatch<index_mask>(mask); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCullFace(GLenum mode) { dispatch<cull_face>(mode); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFrontFace(GLenum mode) { dispatch<front_face>(mode); }
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPolygonMode(GLenum face, GLenum mode) { dispatch<polygon_mode>(face, mode); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglPolygonMode(GLenum face, GLenum mode) {
+  dispatch<polygon_mode>(face, mode);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPolygonOffset(GLfloat factor, GLfloat units) {
   dispatch<polygon_offset>(factor, units);
 }

@@ -11,8 +11,7 @@ namespace {
 /// Whole elements of `size` bytes, `stride` apart, in `bytes`.
 std::uint32_t elements_in(std::size_t bytes, std::size_t size, std::size_t stride) {
   if (bytes < size) return 0;
-  return static_cast<std::uint32_t>(
-      std::min<std::size_t>((bytes - size) / stride + 1, UINT32_MAX));
+  return static_cast<std::uint32_t>(std::min<std::size_t>((bytes - size) / stride + 1, UINT32_MAX));
 }
 
 }  // namespace
@@ -87,8 +86,7 @@ void draw_arrays(Context& context, const ArrayDraw& draw) {
   ReadableArrays readable(context);
   if (draw.is_indexed())
     submit_elements(context, readable.views(), draw.mode, readable.elements(draw));
-  else
-    submit_arrays(context, readable.views(), draw.mode, draw.first, draw.count);
+  else submit_arrays(context, readable.views(), draw.mode, draw.first, draw.count);
 }
 
 }  // namespace legacy_gl

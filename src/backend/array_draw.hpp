@@ -7,17 +7,20 @@ struct legacy_gl_context;
 
 namespace legacy_gl {
 
-/// A draw from the enabled client arrays: `count` vertices from `first` on, or those that `count` elements name.
+/// A draw from the enabled client arrays: `count` vertices from `first` on, or those that `count`
+/// elements name.
 struct ArrayDraw {
   GLenum mode = GL_POINTS;
   std::uint32_t first = 0;  ///< 0 with elements
   std::uint32_t count = 0;
-  GLenum element_type = 0;         ///< 0: no elements
-  const void* elements = nullptr;  ///< an address, or an offset into the element buffer that is bound
+  GLenum element_type = 0;  ///< 0: no elements
+  const void* elements =
+      nullptr;  ///< an address, or an offset into the element buffer that is bound
   bool is_indexed() const { return element_type != 0; }
 };
 
-/// The enabled arrays and the bound elements in memory, for as long as this lives: buffer objects are mapped.
+/// The enabled arrays and the bound elements in memory, for as long as this lives: buffer objects
+/// are mapped.
 class ReadableArrays {
  public:
   explicit ReadableArrays(legacy_gl_context& context) : context_(context) {}
@@ -43,10 +46,12 @@ class ReadableArrays {
   unsigned mapping_count_ = 0;
 };
 
-/// An enabled array, or with `elements` the element array, is in a buffer that the application has mapped.
+/// An enabled array, or with `elements` the element array, is in a buffer that the application has
+/// mapped.
 bool draws_from_mapped_buffer(legacy_gl_context& context, bool elements);
 
-/// Draws at once from buffer objects where that is possible, and puts the vertices into the recorder where not.
+/// Draws at once from buffer objects where that is possible, and puts the vertices into the
+/// recorder where not.
 void draw_arrays(legacy_gl_context& context, const ArrayDraw& draw);
 
 }  // namespace legacy_gl

@@ -54,8 +54,8 @@ void Backend::apply_raster(Context& context) {
 void Backend::upload_block(Context& context, UniformBlock block, const void* data,
                            std::size_t size) {
   const std::size_t offset = uniforms_.write(data, size, uniform_alignment_);
-  driver.BindBufferRange(GL_UNIFORM_BUFFER, block, uniforms_.name(),
-                         static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size));
+  driver.BindBufferRange(GL_UNIFORM_BUFFER, block, uniforms_.name(), static_cast<GLintptr>(offset),
+                         static_cast<GLsizeiptr>(size));
   derived_.stale[block] = false;
   context.statistics.uniform_bytes_uploaded += size;
   ++context.statistics.uniform_block_updates;
@@ -133,7 +133,8 @@ std::uint32_t Backend::upload_vertices(Context& context) {
   return static_cast<std::uint32_t>(offset / stride);
 }
 
-/// Whether the reference draws this run in its primitive pipeline, which splits quads the other way.
+/// Whether the reference draws this run in its primitive pipeline, which splits quads the other
+/// way.
 bool Backend::splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const {
   if (run.mode != GL_QUADS || run.indexed) return false;
   if (derived_.key.flat) return true;
@@ -172,8 +173,7 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
     if (!use_program(context, mode == GL_POINTS)) continue;
     if (indexed) {
       const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);
-      const std::size_t offset =
-          indices_.write(index_scratch_.data(), size, sizeof(std::uint32_t));
+      const std::size_t offset = indices_.write(index_scratch_.data(), size, sizeof(std::uint32_t));
       context.statistics.index_bytes_uploaded += size;
       driver.DrawElements(mode, static_cast<GLsizei>(index_scratch_.size()), GL_UNSIGNED_INT,
                           reinterpret_cast<const void*>(offset));
@@ -195,8 +195,7 @@ void Backend::draw_recorded(Context& context) {
   if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
   prepare(context, recorder.layout());
   const std::uint32_t base_vertex = upload_vertices(context);
-  const GLuint array =
-      arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name());
+  const GLuint array = arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name());
   bind_vertex_array(array);
   draw_runs(context, base_vertex);
   ++context.statistics.batches;

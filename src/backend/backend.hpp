@@ -44,11 +44,11 @@ class Backend {
   BufferObjects& buffers() { return buffers_; }
   void delete_buffer(GLuint name);
 
-  /// Draws the enabled client arrays from the buffer objects that they lie in, without a copy. False when one of them
-  /// does not lie in one, or not in a form that the driver draws.
+  /// Draws the enabled client arrays from the buffer objects that they lie in, without a copy.
+  /// False when one of them does not lie in one, or not in a form that the driver draws.
   bool draw_from_buffers(Context& context, const ArrayDraw& draw);
-  /// Draws many vertices of client arrays: converted straight into the driver's memory. False when that is not worth
-  /// it, or when the primitives themselves are needed.
+  /// Draws many vertices of client arrays: converted straight into the driver's memory. False when
+  /// that is not worth it, or when the primitives themselves are needed.
   bool draw_streamed(Context& context, const ArrayDraw& draw);
 
   const Driver driver;

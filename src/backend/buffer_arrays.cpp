@@ -8,7 +8,8 @@ namespace legacy_gl {
 
 namespace {
 
-/// A program that points elsewhere for each draw must not fill the memory: beyond this all are made anew.
+/// A program that points elsewhere for each draw must not fill the memory: beyond this all are made
+/// anew.
 constexpr std::size_t kMaxArrays = 4096;
 
 }  // namespace

@@ -29,8 +29,8 @@ struct BufferAttributes {
   void add(const BufferAttribute& attribute) { attributes[count++] = attribute; }
 };
 
-/// Vertex array objects over the application's buffers: specified once, since a program draws the same arrays frame
-/// after frame, and drivers check and compile what is specified again.
+/// Vertex array objects over the application's buffers: specified once, since a program draws the
+/// same arrays frame after frame, and drivers check and compile what is specified again.
 class BufferArrays {
  public:
   explicit BufferArrays(const Driver& driver) : driver_(driver) {}

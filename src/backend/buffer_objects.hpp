@@ -16,8 +16,8 @@ struct BufferObject {
   std::uint64_t version = 0;  ///< differs whenever the contents may differ
 };
 
-/// The application's buffer objects. Names are the driver's where the application asked for names; it may also bind
-/// names of its own choice, as the core profile does not allow.
+/// The application's buffer objects. Names are the driver's where the application asked for names;
+/// it may also bind names of its own choice, as the core profile does not allow.
 class BufferObjects {
  public:
   explicit BufferObjects(const Driver& driver) : driver_(driver) {}

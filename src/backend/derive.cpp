@@ -60,15 +60,15 @@ bool shininess_comes_with_vertices(const ProgramKey& key) {
          key.material[kBack][kShininess] == MaterialSource::kVertex;
 }
 
-/// How long a unit normal is after the normal matrix and GL_RESCALE_NORMAL, under a modelview that keeps angles.
+/// How long a unit normal is after the normal matrix and GL_RESCALE_NORMAL, under a modelview that
+/// keeps angles.
 double length_of_unit_normal(const Context& context, const LinearPart& linear) {
   return (context.transform.rescale_normal_enabled ? linear.rescale_factor : 1.0) / linear.scale;
 }
 
 bool has_specular(const ProgramKey& key) {
-  return std::any_of(key.lights.begin(), key.lights.end(), [](const LightRun& run) {
-    return run.count && run.kind & kLightSpecular;
-  });
+  return std::any_of(key.lights.begin(), key.lights.end(),
+                     [](const LightRun& run) { return run.count && run.kind & kLightSpecular; });
 }
 
 unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
@@ -112,8 +112,8 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     choose_space(context, layout);
     if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
       choose_lights(context);
-    key.angle_error = has_specular(key) && key.space == LightingSpace::kObject &&
-                      !linear_.exact && key.normal != NormalMode::kNormalize;
+    key.angle_error = has_specular(key) && key.space == LightingSpace::kObject && !linear_.exact &&
+                      key.normal != NormalMode::kNormalize;
   }
   const bool space_changed = before.space != key.space || before.normal != key.normal ||
                              before.angle_error != key.angle_error;
@@ -121,8 +121,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
   if (!key.lit) return;
   const bool lights_changed = !(before == key);
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
-  if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed ||
-      length_before != normal_length_)
+  if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
     fill_faces(context);
 }
 
@@ -138,10 +137,8 @@ void Derived::update_transform(Context& context) {
 
 void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
-  if (!affine_ || key.position4)
-    key.space = LightingSpace::kEyeHomogeneous;
-  else
-    key.space = linear_.keeps_angles ? LightingSpace::kObject : LightingSpace::kEyeAxes;
+  if (!affine_ || key.position4) key.space = LightingSpace::kEyeHomogeneous;
+  else key.space = linear_.keeps_angles ? LightingSpace::kObject : LightingSpace::kEyeAxes;
 
   const bool in_object_space = key.space == LightingSpace::kObject;
   normal_length_ = 1;
@@ -149,8 +146,8 @@ void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   if (context.transform.normalize_enabled) {
     key.normal = NormalMode::kNormalize;
   } else if (in_object_space) {
-    // Near 1 the products take the length, and its power for the specular term; farther off that power would leave
-    // the range, and the normal is scaled.
+    // Near 1 the products take the length, and its power for the specular term; farther off that
+    // power would leave the range, and the normal is scaled.
     const double length = length_of_unit_normal(context, linear_);
     const bool products_take_it =
         length > 0.8 && length < 1.25 && !shininess_comes_with_vertices(key);
@@ -208,7 +205,8 @@ void Derived::choose_lights(Context& context) {
     if (diffuse) active.kind |= kLightDiffuse;
     if (specular) active.kind |= kLightSpecular;
     if (ambient && !folds_into_scene(active.kind)) active.kind |= kLightAmbient;
-    // A light whose ambient term is folded stays in the list with no term of its own until the sums are made.
+    // A light whose ambient term is folded stays in the list with no term of its own until the sums
+    // are made.
     if (ambient || diffuse || specular) active_.push_back(active);
     else ++context.statistics.lights_skipped;
   }
@@ -259,7 +257,8 @@ void Derived::fill_transform(const Context& context) {
   transform.point = {size, std::fmod(size, 2.0f) == 0 ? 0.0f : 0.5f, 0, 0};
   const std::array<GLint, 4>& box = context.raster.viewport.box;
   const glm::vec2 half_size(static_cast<float>(box[2]) / 2, static_cast<float>(box[3]) / 2);
-  transform.viewport = {half_size, glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1])) + half_size};
+  transform.viewport = {
+      half_size, glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1])) + half_size};
   if (!key.lit) return;
   transform.modelview = glm::mat4(modelview.exact);
   glm::dmat3 normal_matrix = linear_.inverse_transpose;
@@ -295,8 +294,7 @@ void Derived::fill_lights(const Context& context) {
   const glm::dvec3 translation(context.transform.modelview.top().exact[3]);
   const bool in_object_space = key.space == LightingSpace::kObject;
   const double scale = in_object_space ? linear_.scale : 1;
-  const glm::dmat3 rotation =
-      in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);
+  const glm::dmat3 rotation = in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);
   const glm::dvec3 origin =
       key.space == LightingSpace::kEyeHomogeneous ? glm::dvec3(0) : translation;
 
@@ -324,8 +322,8 @@ void Derived::fill_lights(const Context& context) {
       if (is_spot(light)) {
         const double half_cutoff =
             static_cast<double>(light.spot_cutoff_degrees) * (std::numbers::pi / 360);
-        // Vertices on the cone are lit: the bound leaves room for the rounding of the chord, and for that of two unit
-        // vectors that are opposite.
+        // Vertices on the cone are lit: the bound leaves room for the rounding of the chord, and
+        // for that of two unit vectors that are opposite.
         const double limit =
             std::max(2 * std::sin(half_cutoff) * std::sin(half_cutoff) * (1 + 3e-7), 1e-13);
         uniforms.spot_direction = finite(rotation * unit(light.spot_direction_eye), limit);
@@ -353,8 +351,8 @@ void Derived::fill_faces(const Context& context) {
             rgb(color) * uniform_material(context, key, face, property) * active.strength * factor,
             0);
       };
-      const double shine_of_length = std::pow(
-          normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
+      const double shine_of_length =
+          std::pow(normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
       uniforms.products.push_back({product(kAmbient, light.ambient, 1),
                                    product(kDiffuse, light.diffuse, normal_length_),
                                    product(kSpecular, light.specular, shine_of_length)});

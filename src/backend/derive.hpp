@@ -1,9 +1,10 @@
 #pragma once
-// From GL's state to what a draw needs: the program key and the values of the uniform blocks. No GL call.
+// From GL's state to what a draw needs: the program key and the values of the uniform blocks. No GL
+// call.
 #include <vector>
 
-#include "matrix/lighting_space.hpp"
 #include "immediate/vertex_layout.hpp"
+#include "matrix/lighting_space.hpp"
 #include "shadergen/program_key.hpp"
 #include "shadergen/uniform_blocks.hpp"
 #include "state/context.hpp"
@@ -18,15 +19,16 @@ struct FaceUniforms {
 
 /// An enabled light that adds something, and how its colours enter.
 struct ActiveLight {
-  unsigned index = 0;       ///< GL_LIGHT0 + index
-  std::uint8_t kind = 0;    ///< LightKindBit
-  double strength = 1;      ///< constant attenuation and the cone of a directional light
+  unsigned index = 0;     ///< GL_LIGHT0 + index
+  std::uint8_t kind = 0;  ///< LightKindBit
+  double strength = 1;    ///< constant attenuation and the cone of a directional light
 };
 
 class Derived {
  public:
-  /// Brings key and values up to date with the state, as far as the dirty bits (which it clears, but for
-  /// kDirtyRaster) and the batch's layout ask for. Sets `stale` for each block whose values changed.
+  /// Brings key and values up to date with the state, as far as the dirty bits (which it clears,
+  /// but for kDirtyRaster) and the batch's layout ask for. Sets `stale` for each block whose values
+  /// changed.
   void update(Context& context, const VertexLayout& layout, Dialect dialect);
 
   ProgramKey key;

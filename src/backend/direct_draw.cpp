@@ -1,4 +1,5 @@
-// Client arrays that lie in buffer objects in a form that the core profile takes: drawn from where they are.
+// Client arrays that lie in buffer objects in a form that the core profile takes: drawn from where
+// they are.
 #include <optional>
 
 #include "backend/array_draw.hpp"
@@ -10,7 +11,8 @@ namespace legacy_gl {
 
 namespace {
 
-/// A field that the state may make relevant, the array that it comes from, and where the programs expect it.
+/// A field that the state may make relevant, the array that it comes from, and where the programs
+/// expect it.
 struct Source {
   std::uint8_t field;  ///< 0: always
   ArrayIndex array;
@@ -31,8 +33,9 @@ glm::vec4 current_value(const Context& context, ArrayIndex array) {
   }
 }
 
-/// What the driver would fetch is what the specification of OpenGL 1.5 says. Drivers differ in how they normalise
-/// signed integers: (2c + 1) / (2^b - 1) of GL 2.1 table 2.9, or the later c / (2^(b-1) - 1).
+/// What the driver would fetch is what the specification of OpenGL 1.5 says. Drivers differ in how
+/// they normalise signed integers: (2c + 1) / (2^b - 1) of GL 2.1 table 2.9, or the later c /
+/// (2^(b-1) - 1).
 bool driver_fetches(const Driver& driver, unsigned array, GLenum type) {
   switch (type) {
     case GL_BYTE:
@@ -43,7 +46,8 @@ bool driver_fetches(const Driver& driver, unsigned array, GLenum type) {
   }
 }
 
-/// The attributes of the arrays that matter; nothing when one of them cannot be drawn from where it is.
+/// The attributes of the arrays that matter; nothing when one of them cannot be drawn from where it
+/// is.
 std::optional<BufferAttributes> find_attributes(Context& context, const VertexLayout& layout,
                                                 const ArrayDraw& draw) {
   BufferAttributes found;
@@ -55,8 +59,7 @@ std::optional<BufferAttributes> find_attributes(Context& context, const VertexLa
     if (!buffer || !driver_fetches(context.backend->driver, source.array, array.type)) return {};
     const ArrayView view = make_view(array, nullptr);
     const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
-    const std::uint64_t end = offset +
-                              (std::uint64_t{draw.first} + draw.count - 1) * view.stride +
+    const std::uint64_t end = offset + (std::uint64_t{draw.first} + draw.count - 1) * view.stride +
                               std::uint64_t{view.size} * type_size(view.type);
     // What a draw reads past the end is the driver's business, and not every driver's is harmless.
     if (!draw.is_indexed() && end > static_cast<std::uint64_t>(buffer->size)) return {};
@@ -120,7 +123,8 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
     ReadableArrays readable(context);
     const std::vector<std::uint32_t> named =
         draw.is_indexed() ? read_elements(readable.elements(draw)) : std::vector<std::uint32_t>();
-    const auto available = draw.is_indexed() ? static_cast<std::uint32_t>(named.size()) : draw.count;
+    const auto available =
+        draw.is_indexed() ? static_cast<std::uint32_t>(named.size()) : draw.count;
     index_scratch_.clear();
     append_indices({draw.mode, draw.first, available, draw.is_indexed()}, named, 0,
                    derived_.key.flat, index_scratch_);
@@ -131,10 +135,8 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
   } else if (draw.is_indexed() && !elements) {
     offset = write_indices(context, draw.elements, draw.count * std::size_t{type_size(type)});
   }
-  if (draw.is_indexed() || !native)
-    driver.DrawElements(core_mode(draw.mode), count, type, offset);
-  else
-    driver.DrawArrays(draw.mode, static_cast<GLint>(draw.first), count);
+  if (draw.is_indexed() || !native) driver.DrawElements(core_mode(draw.mode), count, type, offset);
+  else driver.DrawArrays(draw.mode, static_cast<GLint>(draw.first), count);
   ++context.statistics.draws;
   ++context.statistics.batches;
   context.statistics.vertices += draw.count;

@@ -42,14 +42,15 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
     detail = std::string("\"") + version + "\", where OpenGL 3.3 or OpenGL ES 3.0 is needed";
     return DriverStatus::kTooOld;
   }
-#define LEGACY_GL_LOAD(name, NAME)                \
-  if (!load(driver.name, loader, "gl" #name)) {   \
-    detail = "gl" #name;                          \
-    return DriverStatus::kMissingFunction;        \
+#define LEGACY_GL_LOAD(name, NAME)              \
+  if (!load(driver.name, loader, "gl" #name)) { \
+    detail = "gl" #name;                        \
+    return DriverStatus::kMissingFunction;      \
   }
   LEGACY_GL_DRIVER_FUNCTIONS(LEGACY_GL_LOAD)
 #undef LEGACY_GL_LOAD
-  // A loader may hand out stubs for what the driver's dialect does not have: ask for the dialect's own alone.
+  // A loader may hand out stubs for what the driver's dialect does not have: ask for the dialect's
+  // own alone.
   const auto optional = [&](auto& function, const char* name, bool in_dialect) {
     if (in_dialect) load(function, loader, name);
   };

@@ -35,16 +35,14 @@ const MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool
   entry.mesh = mesh.weak_from_this();
   driver_.GenBuffers(1, &entry.vertex_buffer);
   driver_.BindBuffer(GL_ARRAY_BUFFER, entry.vertex_buffer);
-  driver_.BufferData(GL_ARRAY_BUFFER,
-                     static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(float)),
+  driver_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(float)),
                      mesh.vertices.data(), GL_STATIC_DRAW);
   driver_.GenBuffers(1, &entry.index_buffer);
   driver_.BindBuffer(GL_COPY_WRITE_BUFFER, entry.index_buffer);
   driver_.BufferData(GL_COPY_WRITE_BUFFER,
                      static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                      mesh.indices.data(), GL_STATIC_DRAW);
-  entry.array =
-      build_vertex_array(driver_, mesh.layout, entry.vertex_buffer, entry.index_buffer);
+  entry.array = build_vertex_array(driver_, mesh.layout, entry.vertex_buffer, entry.index_buffer);
   return entries_.emplace(&mesh, entry).first->second;
 }
 

@@ -8,7 +8,8 @@
 
 namespace legacy_gl {
 
-/// A list's mesh in the driver: uploaded when this context draws it first, deleted after the list is gone.
+/// A list's mesh in the driver: uploaded when this context draws it first, deleted after the list
+/// is gone.
 class MeshBuffers {
  public:
   struct Entry {

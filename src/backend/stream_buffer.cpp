@@ -30,8 +30,8 @@ void StreamBuffer::orphan(std::size_t at_least) {
   driver_.BufferData(target_, static_cast<GLsizeiptr>(size_), nullptr, GL_STREAM_DRAW);
 }
 
-/// Every draw so far has been handed to the driver: a fence now comes after those that read the segment left behind.
-/// False when the driver may still be reading one of those that are entered.
+/// Every draw so far has been handed to the driver: a fence now comes after those that read the
+/// segment left behind. False when the driver may still be reading one of those that are entered.
 bool StreamBuffer::enter_segments(std::size_t first, std::size_t last) {
   if (fences_[segment_]) driver_.DeleteSync(fences_[segment_]);
   fences_[segment_] = driver_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);

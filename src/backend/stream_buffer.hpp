@@ -7,12 +7,13 @@
 
 namespace legacy_gl {
 
-/// A ring in a buffer object. Writes never wait for the driver: memory is used again only when a fence says that the
-/// driver has read it; until then the whole storage is orphaned (glBufferData with NULL), so that draws under way keep
-/// theirs.
+/// A ring in a buffer object. Writes never wait for the driver: memory is used again only when a
+/// fence says that the driver has read it; until then the whole storage is orphaned (glBufferData
+/// with NULL), so that draws under way keep theirs.
 class StreamBuffer {
  public:
-  /// What is written is either drawn with before the next write, or stays bound for the draws of some time.
+  /// What is written is either drawn with before the next write, or stays bound for the draws of
+  /// some time.
   enum class Use { kOneDraw, kManyDraws };
 
   StreamBuffer(const Driver& driver, GLenum target, std::size_t size, Use use);
@@ -20,8 +21,8 @@ class StreamBuffer {
   StreamBuffer(const StreamBuffer&) = delete;
   StreamBuffer& operator=(const StreamBuffer&) = delete;
 
-  /// Copies `size` bytes to an offset that is a multiple of `alignment`; returns that offset. The buffer is bound to
-  /// the target afterwards.
+  /// Copies `size` bytes to an offset that is a multiple of `alignment`; returns that offset. The
+  /// buffer is bound to the target afterwards.
   std::size_t write(const void* data, std::size_t size, std::size_t alignment);
 
   /// Room of `size` bytes to write through a pointer; close with unmap().

@@ -1,4 +1,5 @@
-// Large draws of client arrays: once through the cache, from the application's memory to the driver's.
+// Large draws of client arrays: once through the cache, from the application's memory to the
+// driver's.
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -77,8 +78,8 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
   const GLenum mode = core_mode(draw.mode);
   const std::uint32_t shift = *base - range->lowest;
   if (draw.is_indexed() && draws_without_indices(draw.mode) && driver.DrawElementsBaseVertex) {
-    const void* const offset = write_indices(context, elements.data,
-                                             elements.count * std::size_t{type_size(elements.type)});
+    const void* const offset = write_indices(
+        context, elements.data, elements.count * std::size_t{type_size(elements.type)});
     driver.DrawElementsBaseVertex(mode, static_cast<GLsizei>(elements.count), elements.type, offset,
                                   static_cast<GLint>(shift));
   } else if (draw.is_indexed() || !draws_without_indices(draw.mode)) {

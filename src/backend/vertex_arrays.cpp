@@ -29,8 +29,8 @@ GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLui
   const auto attribute = [&](unsigned location, unsigned size, unsigned offset) {
     driver.EnableVertexAttribArray(location);
     driver.VertexAttribPointer(location, static_cast<GLint>(size), GL_FLOAT, GL_FALSE,
-                                static_cast<GLsizei>(offsets.stride * sizeof(float)),
-                                reinterpret_cast<const void*>(offset * sizeof(float)));
+                               static_cast<GLsizei>(offsets.stride * sizeof(float)),
+                               reinterpret_cast<const void*>(offset * sizeof(float)));
   };
   attribute(kLocationPosition, offsets.position_size, 0);
   if (layout.fields & kFieldNormal) attribute(kLocationNormal, 3, offsets.normal);

@@ -6,12 +6,13 @@
 
 namespace legacy_gl {
 
-/// A vertex array object for vertices of `layout` in `vertex_buffer` from its start on; it is bound afterwards.
+/// A vertex array object for vertices of `layout` in `vertex_buffer` from its start on; it is bound
+/// afterwards.
 GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLuint vertex_buffer,
                           GLuint index_buffer);
 
-/// One vertex array object for each layout and buffer, specified once and never again: drivers may compile their
-/// vertex fetch for it.
+/// One vertex array object for each layout and buffer, specified once and never again: drivers may
+/// compile their vertex fetch for it.
 class VertexArrays {
  public:
   explicit VertexArrays(const Driver& driver) : driver_(driver) {}

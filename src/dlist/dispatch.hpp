@@ -17,8 +17,9 @@ void play(Context& context, const void* payload) {
              *static_cast<const std::tuple<Args...>*>(payload));
 }
 
-/// Records Execute(args...) in the list being compiled; executes it unless the mode is GL_COMPILE. The arguments are
-/// values: a command that takes a pointer copies what it points to first (GL 2.1 spec 5.4).
+/// Records Execute(args...) in the list being compiled; executes it unless the mode is GL_COMPILE.
+/// The arguments are values: a command that takes a pointer copies what it points to first (GL 2.1
+/// spec 5.4).
 template <auto Execute, typename... Args>
 inline void dispatch(const Args&... args) {
   static_assert((std::is_trivially_copyable_v<Args> && ...));

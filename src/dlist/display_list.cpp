@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "immediate/list_mesh.hpp"
 #include "immediate/draw_mesh.hpp"
+#include "immediate/list_mesh.hpp"
 
 namespace legacy_gl {
 

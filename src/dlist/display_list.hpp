@@ -12,7 +12,8 @@ struct ListMesh;
 
 using PlayFunction = void (*)(legacy_gl_context&, const void* payload);
 
-/// Commands one after the other: the function that plays one, the size of what it is given, and that.
+/// Commands one after the other: the function that plays one, the size of what it is given, and
+/// that.
 class DisplayList {
  public:
   struct Command {
@@ -32,7 +33,9 @@ class DisplayList {
   void append_copy(std::size_t position);
   /// Takes out the commands from `begin` up to `end`.
   void erase(std::size_t begin, std::size_t end) {
-    const auto at = [this](std::size_t i) { return words_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto at = [this](std::size_t i) {
+      return words_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
     words_.erase(at(begin), at(end));
   }
 

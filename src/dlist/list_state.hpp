@@ -9,8 +9,8 @@
 
 namespace legacy_gl {
 
-/// The names and lists that contexts which share see alike. A list is replaced whole when glEndList is called, and
-/// lives on while it is being executed.
+/// The names and lists that contexts which share see alike. A list is replaced whole when glEndList
+/// is called, and lives on while it is being executed.
 class ListNames {
  public:
   std::shared_ptr<const DisplayList> find(GLuint name) const;

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "dlist/display_list.hpp"
 #include "dlist/dispatch.hpp"
+#include "dlist/display_list.hpp"
 #include "immediate/attributes.hpp"
 #include "immediate/begin_end.hpp"
 #include "immediate/primitives.hpp"
@@ -40,7 +40,8 @@ Values four(const void* payload) {
   return {x, y, z, w};
 }
 
-/// Where the attributes between `begin` and `end` were set last, each once: they stay as the current values.
+/// Where the attributes between `begin` and `end` were set last, each once: they stay as the
+/// current values.
 std::vector<std::size_t> last_of_each_attribute(const DisplayList& list, std::size_t begin,
                                                 std::size_t end) {
   std::vector<std::size_t> last;
@@ -61,9 +62,7 @@ std::vector<std::size_t> last_of_each_attribute(const DisplayList& list, std::si
   return last;
 }
 
-bool keeps_own_order(GLenum mode) {
-  return mode != GL_TRIANGLES && draws_without_indices(mode);
-}
+bool keeps_own_order(GLenum mode) { return mode != GL_TRIANGLES && draws_without_indices(mode); }
 
 }  // namespace
 
@@ -79,7 +78,8 @@ void ListWelder::read_between(const DisplayList& list, std::size_t end, std::siz
     else if (command.play == kColor4) known_[kColor] = four(command.payload);
     else if (command.play == kSecondary3) known_[kSecondaryColor] = three(command.payload);
     else {
-      // Another list, an attribute group or an array may change current values; anything may change the state.
+      // Another list, an attribute group or an array may change current values; anything may change
+      // the state.
       known_ = {};
       open_mesh_ = nullptr;
     }
@@ -105,7 +105,8 @@ bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Prim
       return true;
     };
     if (command.play == kVertex3 || command.play == kVertex4) {
-      const Values position = command.play == kVertex3 ? three(command.payload) : four(command.payload);
+      const Values position =
+          command.play == kVertex3 ? three(command.payload) : four(command.payload);
       if (position[3] != 1) return false;
       if (!has_vertices)
         for (unsigned i = 0; i < kAttributeKinds; ++i)
@@ -153,8 +154,9 @@ void ListWelder::append(ListMesh& mesh, const Primitive& primitive) {
   const GLenum mode = core_mode(primitive.mode);
   const bool indexed = !keeps_own_order(primitive.mode);
   if (mesh.draws.empty() || mesh.draws.back().mode != mode || mesh.draws.back().indexed != indexed)
-    mesh.draws.push_back({mode, indexed,
-                          static_cast<std::uint32_t>(indexed ? mesh.indices.size() : mesh.firsts.size()), 0});
+    mesh.draws.push_back(
+        {mode, indexed,
+         static_cast<std::uint32_t>(indexed ? mesh.indices.size() : mesh.firsts.size()), 0});
   ListMesh::Draw& draw = mesh.draws.back();
   if (!indexed) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / stride);
@@ -166,7 +168,8 @@ void ListWelder::append(ListMesh& mesh, const Primitive& primitive) {
     ++draw.count;
     return;
   }
-  const PrimitiveRun run{primitive.mode, static_cast<std::uint32_t>(mesh.elements.size()), count, true};
+  const PrimitiveRun run{primitive.mode, static_cast<std::uint32_t>(mesh.elements.size()), count,
+                         true};
   for (std::uint32_t i = 0; i < count; ++i)
     mesh.elements.push_back(weld(mesh, &primitive.vertices[std::size_t{i} * stride], stride));
   append_indices(run, mesh.elements, 0, true, mesh.indices);

@@ -11,13 +11,13 @@ namespace legacy_gl {
 
 class DisplayList;
 
-/// Turns the Begin/End pairs of the list being compiled into meshes, each as soon as its glEnd is recorded. A pair that
-/// holds more than vertices and their attributes, or whose first vertex takes a current value that only the call of the
-/// list will know, stays as it was recorded.
+/// Turns the Begin/End pairs of the list being compiled into meshes, each as soon as its glEnd is
+/// recorded. A pair that holds more than vertices and their attributes, or whose first vertex takes
+/// a current value that only the call of the list will know, stays as it was recorded.
 class ListWelder {
  public:
-  /// The last command of `list` is glEnd: replaces its primitive by a mesh, joined to the one before where nothing but
-  /// attributes came between.
+  /// The last command of `list` is glEnd: replaces its primitive by a mesh, joined to the one
+  /// before where nothing but attributes came between.
   void weld_last_primitive(DisplayList& list);
 
  private:
@@ -40,7 +40,8 @@ class ListWelder {
   std::size_t behind_mesh_ = 0;  ///< the command after the open mesh
   std::array<Known, kAttributeKinds> known_;
   std::shared_ptr<ListMesh> open_mesh_;  ///< what the next primitive may join
-  std::unordered_multimap<std::size_t, std::uint32_t> places_;  ///< vertex hash to index, of the open mesh
+  std::unordered_multimap<std::size_t, std::uint32_t>
+      places_;  ///< vertex hash to index, of the open mesh
 };
 
 }  // namespace legacy_gl

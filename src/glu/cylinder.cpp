@@ -142,14 +142,8 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lgluCylinder(GLUquadric* quadric, GLdouble
     return;
   }
   switch (quadric->draw_style) {
-    case GLU_FILL:
-      cylinder.fill();
-      break;
-    case GLU_POINT:
-      cylinder.points();
-      break;
-    default:
-      cylinder.lines(quadric->draw_style == GLU_SILHOUETTE);
-      break;
+    case GLU_FILL: cylinder.fill(); break;
+    case GLU_POINT: cylinder.points(); break;
+    default: cylinder.lines(quadric->draw_style == GLU_SILHOUETTE); break;
   }
 }

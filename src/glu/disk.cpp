@@ -191,17 +191,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lgluPartialDisk(GLUquadric* quadric, GLdou
                   normalised(start_degrees, sweep_degrees));
   disk.normal();
   switch (quadric->draw_style) {
-    case GLU_FILL:
-      disk.fill();
-      break;
-    case GLU_LINE:
-      disk.lines();
-      break;
-    case GLU_SILHOUETTE:
-      disk.silhouette();
-      break;
-    default:
-      disk.points();
-      break;
+    case GLU_FILL: disk.fill(); break;
+    case GLU_LINE: disk.lines(); break;
+    case GLU_SILHOUETTE: disk.silhouette(); break;
+    default: disk.points(); break;
   }
 }

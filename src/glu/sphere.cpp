@@ -159,12 +159,8 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lgluSphere(GLUquadric* quadric, GLdouble r
   const Sphere sphere(*quadric, radius, std::min(slices, max_segment_count),
                       std::min(stacks, max_segment_count));
   switch (quadric->draw_style) {
-    case GLU_FILL:
-      sphere.fill();
-      break;
-    case GLU_POINT:
-      sphere.points();
-      break;
+    case GLU_FILL: sphere.fill(); break;
+    case GLU_POINT: sphere.points(); break;
     default:
       // A sphere has no edge that GLU_SILHOUETTE could leave out.
       sphere.lines();

@@ -9,13 +9,15 @@ struct legacy_gl_context;
 
 namespace legacy_gl {
 
-/// Converts vertices of client arrays into a layout; what no array provides has the current value in each vertex.
+/// Converts vertices of client arrays into a layout; what no array provides has the current value
+/// in each vertex.
 class ArrayGather {
  public:
   /// Vertices are converted array by array; so many of them stay in the nearest cache meanwhile.
   static constexpr std::uint32_t kBlockVertices = 256;
 
-  ArrayGather(const legacy_gl_context& context, const ArrayViews& views, const VertexLayout& layout);
+  ArrayGather(const legacy_gl_context& context, const ArrayViews& views,
+              const VertexLayout& layout);
 
   /// Vertices first to first + count - 1; returns the end.
   float* operator()(std::uint32_t first, std::uint32_t count, float* to) const;

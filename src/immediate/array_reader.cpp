@@ -68,8 +68,7 @@ ReadFunction find_reader(GLenum type, bool normalise, unsigned size, unsigned ta
 void ArrayView::read(ReadFunction function, std::uint32_t first, std::uint32_t count, float* to,
                      std::size_t to_stride, unsigned target_size) const {
   const std::uint32_t present = first < readable ? std::min(count, readable - first) : 0;
-  if (present)
-    function(data + std::size_t{first} * stride, stride, to, to_stride, present);
+  if (present) function(data + std::size_t{first} * stride, stride, to, to_stride, present);
   for (std::uint32_t i = present; i < count; ++i)
     for (unsigned c = 0; c < target_size; ++c) to[i * to_stride + c] = c == 3 ? 1.0f : 0.0f;
 }

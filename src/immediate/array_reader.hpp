@@ -11,8 +11,9 @@ namespace legacy_gl {
 using ReadFunction = void (*)(const std::byte* from, std::size_t from_stride, float* to,
                               std::size_t to_stride, std::uint32_t count);
 
-/// The function that reads elements of `size` components of `type` as `target_size` floats; components that the
-/// element does not have are 0, 0, 0, 1. `normalise`: integers as of GL 2.1 spec table 2.9.
+/// The function that reads elements of `size` components of `type` as `target_size` floats;
+/// components that the element does not have are 0, 0, 0, 1. `normalise`: integers as of GL 2.1
+/// spec table 2.9.
 ReadFunction find_reader(GLenum type, bool normalise, unsigned size, unsigned target_size);
 
 /// One enabled array in memory that can be read now.
@@ -23,7 +24,8 @@ struct ArrayView {
   unsigned size = 4;
   std::uint32_t readable = UINT32_MAX;  ///< elements that exist: a buffer object's size is known
 
-  /// Elements first to first + count - 1 by `function` of find_reader; those that do not exist are 0, 0, 0, 1.
+  /// Elements first to first + count - 1 by `function` of find_reader; those that do not exist are
+  /// 0, 0, 0, 1.
   void read(ReadFunction function, std::uint32_t first, std::uint32_t count, float* to,
             std::size_t to_stride, unsigned target_size) const;
 };

@@ -15,12 +15,13 @@ namespace legacy_gl {
 
 namespace {
 
-/// The head of a list command; floats of `vertex_count` vertices follow, then `element_count` indices.
+/// The head of a list command; floats of `vertex_count` vertices follow, then `element_count`
+/// indices.
 struct RecordedArrays {
   GLenum mode;
   std::uint32_t vertex_count;
-  std::uint32_t element_count;  ///< 0: the vertices as they come
-  std::uint32_t stride;         ///< in floats
+  std::uint32_t element_count;                  ///< 0: the vertices as they come
+  std::uint32_t stride;                         ///< in floats
   std::array<std::uint8_t, kArrayCount> sizes;  ///< in floats; 0: the array was not enabled
 };
 
@@ -45,8 +46,7 @@ void play_arrays(Context& context, const void* payload) {
   if (head.element_count)
     submit_elements(context, views, head.mode,
                     {vertices + vertex_bytes(head), GL_UNSIGNED_INT, head.element_count});
-  else
-    submit_arrays(context, views, head.mode, 0, head.vertex_count);
+  else submit_arrays(context, views, head.mode, 0, head.vertex_count);
 }
 
 RecordedArrays make_head(const ArrayViews& views, GLenum mode, std::uint32_t vertex_count,
@@ -62,9 +62,8 @@ RecordedArrays make_head(const ArrayViews& views, GLenum mode, std::uint32_t ver
 
 /// Appends the command with room for its data, which the caller fills.
 std::byte* append(Context& context, const RecordedArrays& head) {
-  void* const payload =
-      context.lists.append(&play_arrays, sizeof head + vertex_bytes(head) +
-                                             head.element_count * sizeof(std::uint32_t));
+  void* const payload = context.lists.append(
+      &play_arrays, sizeof head + vertex_bytes(head) + head.element_count * sizeof(std::uint32_t));
   std::memcpy(payload, &head, sizeof head);
   return static_cast<std::byte*>(payload) + sizeof head;
 }
@@ -120,7 +119,8 @@ void record_mesh(Context& context, const ArrayViews& views, const VertexLayout& 
   mesh->runs.push_back({mode, 0, count, indexed});
   if (indexed) {
     append_indices(mesh->runs[0], mesh->elements, 0, true, mesh->indices);
-    mesh->draws.push_back({core_mode(mode), true, 0, static_cast<std::uint32_t>(mesh->indices.size())});
+    mesh->draws.push_back(
+        {core_mode(mode), true, 0, static_cast<std::uint32_t>(mesh->indices.size())});
   } else {
     mesh->firsts.push_back(0);
     mesh->counts.push_back(static_cast<GLsizei>(count));
@@ -150,8 +150,7 @@ void record_elements(Context& context, const ArrayViews& views, GLenum mode,
   if (count == 0 || !views[kVertexArray].data) return;
   std::vector<std::uint32_t> indices = read_elements({elements.data, elements.type, count});
   const ElementRange range = element_range({elements.data, elements.type, count});
-  const bool shared =
-      worth_indexing(range, count) && range.highest < views[kVertexArray].readable;
+  const bool shared = worth_indexing(range, count) && range.highest < views[kVertexArray].readable;
   if (shared) {
     for (std::uint32_t& index : indices) index -= range.lowest;
     if (const auto layout = mesh_layout(views, range))

@@ -31,7 +31,8 @@ void with_elements(const ElementView& elements, Visit visit) {
 
 std::vector<std::uint32_t> read_elements(const ElementView& elements) {
   std::vector<std::uint32_t> values(elements.count);
-  with_elements(elements, [&values](std::uint32_t i, std::uint32_t element) { values[i] = element; });
+  with_elements(elements,
+                [&values](std::uint32_t i, std::uint32_t element) { values[i] = element; });
   return values;
 }
 
@@ -54,15 +55,14 @@ void submit_arrays(Context& context, const ArrayViews& views, GLenum mode, std::
   if (!positions.data || first >= positions.readable) return;
   count = whole_primitives(mode, std::min(count, positions.readable - first));
   if (count == 0) return;
-  float* const vertices = context.recorder.append_vertices(
-      context, count, has_other_w(positions, first, count));
+  float* const vertices =
+      context.recorder.append_vertices(context, count, has_other_w(positions, first, count));
   ArrayGather(context, views, context.recorder.layout())(first, count, vertices);
   context.recorder.append_run(context, mode, count);
   context.recorder.flush_if_large(context);
 }
 
-void submit_elements(Context& context, const ArrayViews& views, GLenum mode,
-                     ElementView elements) {
+void submit_elements(Context& context, const ArrayViews& views, GLenum mode, ElementView elements) {
   const ArrayView& positions = views[kVertexArray];
   elements.count = whole_primitives(mode, elements.count);
   if (elements.count == 0 || !positions.data) return;
@@ -82,9 +82,8 @@ void submit_elements(Context& context, const ArrayViews& views, GLenum mode,
     ArrayGather(context, views, recorder.layout())(range.lowest, vertex_count, vertices);
     const std::uint32_t offset = recorder.vertex_count() - vertex_count - range.lowest;
     std::uint32_t* const indices = recorder.append_elements(context, mode, elements.count);
-    with_elements(elements, [=](std::uint32_t i, std::uint32_t element) {
-      indices[i] = element + offset;
-    });
+    with_elements(elements,
+                  [=](std::uint32_t i, std::uint32_t element) { indices[i] = element + offset; });
   }
   recorder.flush_if_large(context);
 }

@@ -21,13 +21,14 @@ struct ElementRange {
 };
 ElementRange element_range(const ElementView& elements);
 
-/// Vertices are copied once and drawn by indices, unless the elements name few of the range that they span.
+/// Vertices are copied once and drawn by indices, unless the elements name few of the range that
+/// they span.
 bool worth_indexing(const ElementRange& range, std::uint32_t count);
 
-/// Puts vertices first to first + count - 1 into the recorder as primitives of `mode`: what the state makes relevant,
-/// from the arrays or from the current values.
-void submit_arrays(legacy_gl_context& context, const ArrayViews& views, GLenum mode, std::uint32_t first,
-                   std::uint32_t count);
+/// Puts vertices first to first + count - 1 into the recorder as primitives of `mode`: what the
+/// state makes relevant, from the arrays or from the current values.
+void submit_arrays(legacy_gl_context& context, const ArrayViews& views, GLenum mode,
+                   std::uint32_t first, std::uint32_t count);
 
 /// The same for the vertices that `elements` names.
 void submit_elements(legacy_gl_context& context, const ArrayViews& views, GLenum mode,

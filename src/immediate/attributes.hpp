@@ -31,9 +31,7 @@ void rect(Context& c, float x1, float y1, float x2, float y2);
 
 inline void vertex3(float x, float y, float z) { dispatch<execute::vertex3>(x, y, z); }
 inline void vertex2(float x, float y) { vertex3(x, y, 0); }
-inline void vertex4(float x, float y, float z, float w) {
-  dispatch<execute::vertex4>(x, y, z, w);
-}
+inline void vertex4(float x, float y, float z, float w) { dispatch<execute::vertex4>(x, y, z, w); }
 inline void normal3(float x, float y, float z) { dispatch<execute::normal3>(x, y, z); }
 inline void color4(float r, float g, float b, float a) { dispatch<execute::color4>(r, g, b, a); }
 inline void color3(float r, float g, float b) { color4(r, g, b, 1); }

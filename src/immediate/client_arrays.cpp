@@ -42,12 +42,14 @@ unsigned type_size(GLenum type) {
 namespace {
 
 constexpr unsigned kFloat = sizeof(float);
-// Four unsigned bytes take the room of a float (GL 2.1 spec table 2.5: "c" is 4 bytes rounded up to a float's).
+// Four unsigned bytes take the room of a float (GL 2.1 spec table 2.5: "c" is 4 bytes rounded up to
+// a float's).
 constexpr unsigned kPacked = 4;
 
 constexpr InterleavedFormat format(GLenum name, unsigned texcoord_size, unsigned color_size,
                                    GLenum color_type, bool has_normal, unsigned vertex_size) {
-  InterleavedFormat f{name, texcoord_size, color_size, vertex_size, has_normal, color_type, 0, 0, 0, 0};
+  InterleavedFormat f{name, texcoord_size, color_size, vertex_size, has_normal, color_type, 0, 0, 0,
+                      0};
   f.color_offset = texcoord_size * kFloat;
   f.normal_offset = f.color_offset + (color_type == GL_FLOAT ? color_size * kFloat : kPacked);
   f.vertex_offset = f.normal_offset + (has_normal ? 3 * kFloat : 0);

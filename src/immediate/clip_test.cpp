@@ -9,7 +9,8 @@ bool any_outside(const glm::mat4& m, const float* positions, std::uint32_t count
                  bool has_w) {
   for (std::uint32_t i = 0; i < count; ++i, positions += stride) {
     const float w = has_w ? positions[3] : 1.0f;
-    const glm::vec4 clip = m[0] * positions[0] + m[1] * positions[1] + m[2] * positions[2] + m[3] * w;
+    const glm::vec4 clip =
+        m[0] * positions[0] + m[1] * positions[1] + m[2] * positions[2] + m[3] * w;
     if (std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w || std::abs(clip.z) > clip.w)
       return true;
   }

@@ -4,8 +4,9 @@
 
 namespace legacy_gl {
 
-/// True when one of `count` positions, `stride` floats apart, is outside the view volume (GL 2.1 spec 2.12).
-bool any_outside(const glm::mat4& modelview_projection, const float* positions,
-                 std::uint32_t count, unsigned stride, bool has_w);
+/// True when one of `count` positions, `stride` floats apart, is outside the view volume (GL 2.1
+/// spec 2.12).
+bool any_outside(const glm::mat4& modelview_projection, const float* positions, std::uint32_t count,
+                 unsigned stride, bool has_w);
 
 }  // namespace legacy_gl

@@ -8,8 +8,9 @@
 
 namespace legacy_gl {
 
-/// Begin/End pairs of a display list, ready to draw: no work a vertex when the list is called. Vertices that are alike
-/// are kept once where primitives are independent; strips and fans keep their own order.
+/// Begin/End pairs of a display list, ready to draw: no work a vertex when the list is called.
+/// Vertices that are alike are kept once where primitives are independent; strips and fans keep
+/// their own order.
 struct ListMesh : std::enable_shared_from_this<ListMesh> {
   /// Neighbouring primitives that the driver draws in one call.
   struct Draw {
@@ -26,8 +27,8 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   std::vector<Draw> draws;
   std::uint32_t welded = 0;  ///< vertices that were given and are not kept
 
-  /// The primitives as they were given, for what only the recorder can draw (unfilled polygons). An indexed run counts
-  /// `elements`.
+  /// The primitives as they were given, for what only the recorder can draw (unfilled polygons). An
+  /// indexed run counts `elements`.
   std::vector<PrimitiveRun> runs;
   std::vector<std::uint32_t> elements;
 

@@ -9,7 +9,8 @@ namespace legacy_gl {
 
 namespace {
 
-/// A batch this large is drawn at the next glEnd: memory stays bounded, and the driver starts early.
+/// A batch this large is drawn at the next glEnd: memory stays bounded, and the driver starts
+/// early.
 constexpr std::size_t kFlushFloats = std::size_t{1} << 20;
 constexpr std::size_t kFirstFloats = std::size_t{1} << 14;
 

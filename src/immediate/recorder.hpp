@@ -11,8 +11,8 @@ struct legacy_gl_context;
 
 namespace legacy_gl {
 
-/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`. An indexed run
-/// counts elements() instead, each of which names a vertex of the batch.
+/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`.
+/// An indexed run counts elements() instead, each of which names a vertex of the batch.
 struct PrimitiveRun {
   GLenum mode = GL_POINTS;
   std::uint32_t first = 0;
@@ -20,8 +20,8 @@ struct PrimitiveRun {
   bool indexed = false;
 };
 
-/// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when a state changes,
-/// when it is large, or when the program asks for pixels.
+/// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when
+/// a state changes, when it is large, or when the program asks for pixels.
 class Recorder {
  public:
   bool inside_begin_end() const { return inside_; }
@@ -34,29 +34,32 @@ class Recorder {
   void vertex(legacy_gl_context& context, float x, float y, float z);
   void vertex(legacy_gl_context& context, float x, float y, float z, float w);
 
-  /// For client arrays: room for `count` vertices, which the caller fills as layout() says. The position has a w
-  /// when `with_w`, or when the batch has one already. Follow with append_run or append_elements.
+  /// For client arrays: room for `count` vertices, which the caller fills as layout() says. The
+  /// position has a w when `with_w`, or when the batch has one already. Follow with append_run or
+  /// append_elements.
   float* append_vertices(legacy_gl_context& context, std::uint32_t count, bool with_w);
   /// The last `count` vertices as primitives of `mode`.
   void append_run(legacy_gl_context& context, GLenum mode, std::uint32_t count);
   /// Room for `count` elements: vertices of the batch, drawn as primitives of `mode`.
   std::uint32_t* append_elements(legacy_gl_context& context, GLenum mode, std::uint32_t count);
 
-  /// From here on vertices carry these material properties; those recorded before get the values of now.
+  /// From here on vertices carry these material properties; those recorded before get the values of
+  /// now.
   void carry_materials(legacy_gl_context& context, MaterialMask mask);
 
   const VertexLayout& layout() const { return layout_; }
   const VertexOffsets& offsets() const { return offsets_; }
   const float* data() const { return storage_.get(); }
   std::uint32_t vertex_count() const {
-    return static_cast<std::uint32_t>(cursor_ - storage_.get()) / (offsets_.stride ? offsets_.stride : 1);
+    return static_cast<std::uint32_t>(cursor_ - storage_.get()) /
+           (offsets_.stride ? offsets_.stride : 1);
   }
   const std::vector<PrimitiveRun>& runs() const { return runs_; }
   const std::vector<std::uint32_t>& elements() const { return elements_; }
 
   /// The current values in `count` vertices of `layout`, behind their positions.
-  static void put_current(const legacy_gl_context& context, const VertexLayout& layout, float* vertices,
-                          std::uint32_t count);
+  static void put_current(const legacy_gl_context& context, const VertexLayout& layout,
+                          float* vertices, std::uint32_t count);
 
   /// Draws the batch when it has become large.
   void flush_if_large(legacy_gl_context& context);

@@ -43,8 +43,7 @@ void for_each_triangle(GLenum mode, std::uint32_t count, Visit visit) {
       for (std::uint32_t i = 1; i + 1 < count; ++i)
         visit(i, i + 1, 0, kEdgeAB | (i == 1 ? kEdgeCA : 0u) | (i + 2 == count ? kEdgeBC : 0u));
       break;
-    default:
-      break;
+    default: break;
   }
 }
 

@@ -5,14 +5,14 @@
 
 namespace legacy_gl {
 
-/// What a recorded vertex holds beside its position, in this order. The position has three floats, or four where a w
-/// other than 1 was given.
+/// What a recorded vertex holds beside its position, in this order. The position has three floats,
+/// or four where a w other than 1 was given.
 enum VertexField : std::uint8_t {
   kFieldPositionW = 1,
   kFieldNormal = 2,          ///< 3 floats
   kFieldColor = 4,           ///< 4 floats
   kFieldSecondaryColor = 8,  ///< 3 floats
-  kFieldEdgeFlag = 16,       ///< 1 float, 0 or 1; recorded while polygons are drawn as lines or points
+  kFieldEdgeFlag = 16,  ///< 1 float, 0 or 1; recorded while polygons are drawn as lines or points
   kFieldLightingPosition = 32,  ///< as many floats as the position: where the vertex is lit
   kFieldDepthOffset = 64,       ///< 1 float: polygon offset in normalised device coordinates
 };

@@ -5,8 +5,8 @@
 
 namespace legacy_gl {
 
-/// One light source (GL 2.1 spec 2.14.1, table 2.11). Positions and directions are in eye coordinates: they went
-/// through the modelview when they were specified.
+/// One light source (GL 2.1 spec 2.14.1, table 2.11). Positions and directions are in eye
+/// coordinates: they went through the modelview when they were specified.
 struct Light {
   glm::vec4 ambient{0, 0, 0, 1};
   glm::vec4 diffuse{0, 0, 0, 1};   ///< light 0: white

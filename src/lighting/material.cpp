@@ -13,8 +13,7 @@ glm::vec4 material_value(const Materials& materials, unsigned face, unsigned pro
   }
 }
 
-bool store_material_value(Materials& materials, unsigned face, unsigned property,
-                          glm::vec4 value) {
+bool store_material_value(Materials& materials, unsigned face, unsigned property, glm::vec4 value) {
   if (material_value(materials, face, property) == value) return false;
   Material& material = materials[face];
   switch (property) {

@@ -20,9 +20,16 @@ struct Material {
 
 enum Face : unsigned { kFront = 0, kBack = 1 };
 
-/// One bit for each material property of each face, front first: what glMaterial set, what colour material tracks,
-/// what a batch carries per vertex.
-enum MaterialProperty : unsigned { kAmbient, kDiffuse, kSpecular, kEmission, kShininess, kPropertyCount };
+/// One bit for each material property of each face, front first: what glMaterial set, what colour
+/// material tracks, what a batch carries per vertex.
+enum MaterialProperty : unsigned {
+  kAmbient,
+  kDiffuse,
+  kSpecular,
+  kEmission,
+  kShininess,
+  kPropertyCount
+};
 
 using MaterialMask = std::uint16_t;
 

@@ -72,8 +72,7 @@ void set_light(Context& context, GLenum name, GLenum pname, Floats4 values) {
     case GL_SPECULAR: assign(context, light->specular, color_of(values), kDirtyLights); break;
     case GL_POSITION:
       assign(context, light->position_eye,
-             context.transform.modelview.top().exact * glm::dvec4(color_of(values)),
-             kDirtyLights);
+             context.transform.modelview.top().exact * glm::dvec4(color_of(values)), kDirtyLights);
       break;
     case GL_SPOT_DIRECTION:
       assign(context, light->spot_direction_eye,
@@ -151,21 +150,17 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
     return raise_error(context, GL_INVALID_VALUE);
   mask &= static_cast<MaterialMask>(~tracked_materials(context));
 
-  const glm::vec4 value =
-      pname == GL_SHININESS ? glm::vec4(values[0], 0, 0, 0) : color_of(values);
+  const glm::vec4 value = pname == GL_SHININESS ? glm::vec4(values[0], 0, 0, 0) : color_of(values);
   MaterialMask changes = 0;
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (mask & (1u << i) &&
-        material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount) !=
-            value)
+        material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount) != value)
       changes |= static_cast<MaterialMask>(1u << i);
   if (!changes) return;
-  // Inside Begin/End the change is the vertices' from here on; outside, a batch that carries the property anyway
-  // need not end.
-  if (context.recorder.inside_begin_end())
-    context.recorder.carry_materials(context, changes);
-  else if (changes & ~context.recorder.layout().materials)
-    flush_pending(context);
+  // Inside Begin/End the change is the vertices' from here on; outside, a batch that carries the
+  // property anyway need not end.
+  if (context.recorder.inside_begin_end()) context.recorder.carry_materials(context, changes);
+  else if (changes & ~context.recorder.layout().materials) flush_pending(context);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (changes & (1u << i))
       store_material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount,
@@ -176,9 +171,8 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
 void latch_color_material(Context& context) {
   const MaterialMask tracked = tracked_materials(context);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
-    if (tracked & (1u << i) &&
-        store_material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount,
-                             context.current.color))
+    if (tracked & (1u << i) && store_material_value(context.lighting.materials, i / kPropertyCount,
+                                                    i % kPropertyCount, context.current.color))
       context.dirty |= kDirtyMaterial;
 }
 

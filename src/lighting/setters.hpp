@@ -1,5 +1,6 @@
 #pragma once
-// glLight, glLightModel, glMaterial, glColorMaterial and their like: validate, store, mark (GL 2.1 spec 2.14).
+// glLight, glLightModel, glMaterial, glColorMaterial and their like: validate, store, mark (GL 2.1
+// spec 2.14).
 #include <array>
 #include <span>
 
@@ -24,7 +25,8 @@ void enable_light(Context& context, unsigned index, bool enabled);
 void enable_lighting(Context& context, bool enabled);
 void enable_color_material(Context& context, bool enabled);
 
-/// The tracked properties take the current colour: what glGetMaterial shows, and what stays when tracking ends.
+/// The tracked properties take the current colour: what glGetMaterial shows, and what stays when
+/// tracking ends.
 void latch_color_material(Context& context);
 
 /// The faces' properties that follow the current colour now.

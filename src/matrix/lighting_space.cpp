@@ -9,8 +9,9 @@ namespace legacy_gl {
 
 namespace {
 
-/// Rotations that a program computed in float32 keep angles within 1e-6; what they lack is one symmetric matrix of
-/// that size, which enters lighting to first order. Farther off, its square would show.
+/// Rotations that a program computed in float32 keep angles within 1e-6; what they lack is one
+/// symmetric matrix of that size, which enters lighting to first order. Farther off, its square
+/// would show.
 constexpr double kAngleTolerance = 1e-5;
 constexpr double kInvisible = 1e-9;
 
@@ -39,11 +40,10 @@ LinearPart analyse(const glm::dmat3& matrix) {
   const glm::dvec3 x = m[0], y = m[1], z = m[2];
   const double squared = glm::dot(x, x);
   const double tolerance = kAngleTolerance * squared;
-  part.keeps_angles = std::abs(glm::dot(y, y) - squared) <= tolerance &&
-                      std::abs(glm::dot(z, z) - squared) <= tolerance &&
-                      std::abs(glm::dot(x, y)) <= tolerance &&
-                      std::abs(glm::dot(y, z)) <= tolerance &&
-                      std::abs(glm::dot(z, x)) <= tolerance;
+  part.keeps_angles =
+      std::abs(glm::dot(y, y) - squared) <= tolerance &&
+      std::abs(glm::dot(z, z) - squared) <= tolerance && std::abs(glm::dot(x, y)) <= tolerance &&
+      std::abs(glm::dot(y, z)) <= tolerance && std::abs(glm::dot(z, x)) <= tolerance;
   part.scale = std::sqrt((squared + glm::dot(y, y) + glm::dot(z, z)) / 3) / power;
   part.cofactor = glm::dmat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   const double determinant = glm::dot(x, part.cofactor[0]);

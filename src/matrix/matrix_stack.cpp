@@ -11,7 +11,8 @@ namespace legacy_gl {
 
 namespace {
 
-/// Rotation about a unit axis (GL 2.1 spec 2.11.2), in the operations and the order that float32 drivers use.
+/// Rotation about a unit axis (GL 2.1 spec 2.11.2), in the operations and the order that float32
+/// drivers use.
 template <typename T>
 glm::mat<4, 4, T> rotation(T sine, T cosine, T x, T y, T z) {
   const T rest = T(1) - cosine;
@@ -29,7 +30,8 @@ glm::mat<4, 4, T> rotation(T sine, T cosine, T x, T y, T z) {
   return m;
 }
 
-/// About one of the three axes: exact zeros and ones, so that no rounding creeps in where none is due.
+/// About one of the three axes: exact zeros and ones, so that no rounding creeps in where none is
+/// due.
 template <typename T>
 glm::mat<4, 4, T> axis_rotation(T sine, T cosine, int axis, T sign) {
   glm::mat<4, 4, T> m(T(1));
@@ -144,23 +146,21 @@ glm::mat<4, 4, T> ortho_matrix(T left, T right, T bottom, T top, T near_distance
 void frustum(Matrix& matrix, double left, double right, double bottom, double top,
              double near_distance, double far_distance) {
   matrix.single =
-      matrix.single *
-      frustum_matrix(static_cast<float>(left), static_cast<float>(right),
-                     static_cast<float>(bottom), static_cast<float>(top),
-                     static_cast<float>(near_distance), static_cast<float>(far_distance));
+      matrix.single * frustum_matrix(static_cast<float>(left), static_cast<float>(right),
+                                     static_cast<float>(bottom), static_cast<float>(top),
+                                     static_cast<float>(near_distance),
+                                     static_cast<float>(far_distance));
   matrix.exact =
       matrix.exact * frustum_matrix(left, right, bottom, top, near_distance, far_distance);
 }
 
 void ortho(Matrix& matrix, double left, double right, double bottom, double top,
            double near_distance, double far_distance) {
-  matrix.single =
-      matrix.single * ortho_matrix(static_cast<float>(left), static_cast<float>(right),
-                                   static_cast<float>(bottom), static_cast<float>(top),
-                                   static_cast<float>(near_distance),
-                                   static_cast<float>(far_distance));
-  matrix.exact =
-      matrix.exact * ortho_matrix(left, right, bottom, top, near_distance, far_distance);
+  matrix.single = matrix.single * ortho_matrix(static_cast<float>(left), static_cast<float>(right),
+                                               static_cast<float>(bottom), static_cast<float>(top),
+                                               static_cast<float>(near_distance),
+                                               static_cast<float>(far_distance));
+  matrix.exact = matrix.exact * ortho_matrix(left, right, bottom, top, near_distance, far_distance);
 }
 
 }  // namespace legacy_gl

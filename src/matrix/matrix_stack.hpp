@@ -6,9 +6,10 @@
 
 namespace legacy_gl {
 
-/// One matrix, kept twice. `single` follows GL's float32 arithmetic operation by operation, so that positions
-/// (and multipass rendering) agree bit for bit with a fixed-function driver; `exact` is what lighting derives from:
-/// after a thousand stacked rotations `single` is wrong by 3e-3 of a colour step, `exact` by 5e-5.
+/// One matrix, kept twice. `single` follows GL's float32 arithmetic operation by operation, so that
+/// positions (and multipass rendering) agree bit for bit with a fixed-function driver; `exact` is
+/// what lighting derives from: after a thousand stacked rotations `single` is wrong by 3e-3 of a
+/// colour step, `exact` by 5e-5.
 struct Matrix {
   glm::mat4 single{1.0f};
   glm::dmat4 exact{1.0};

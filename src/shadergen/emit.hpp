@@ -18,11 +18,12 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key);
 /// Statements that turn `position` and `normal` into `vertex` and `n` in lighting space.
 void emit_lighting_space(Writer& w, const ProgramKey& key);
 
-/// Statements that sum the lights: leaves vec4 front_lit, and back_lit, front_specular, back_specular where the key
-/// has them. Reads `vertex` and `n`.
+/// Statements that sum the lights: leaves vec4 front_lit, and back_lit, front_specular,
+/// back_specular where the key has them. Reads `vertex` and `n`.
 void emit_lights(Writer& w, const ProgramKey& key);
 
-/// The material property of a face as a GLSL expression: "" where it is in the blocks' products already.
+/// The material property of a face as a GLSL expression: "" where it is in the blocks' products
+/// already.
 std::string material_expression(const ProgramKey& key, unsigned face, unsigned property);
 
 }  // namespace legacy_gl

@@ -5,8 +5,9 @@ namespace legacy_gl {
 
 namespace {
 
-/// (1 - q) to the power n by repeated squaring of the complement y = 1 - (1 - q)^k: squaring is y(2 - y), one factor
-/// more is y + q(1 - y). No step forms a number near 1, so nothing is rounded away and amplified n times.
+/// (1 - q) to the power n by repeated squaring of the complement y = 1 - (1 - q)^k: squaring is y(2
+/// - y), one factor more is y + q(1 - y). No step forms a number near 1, so nothing is rounded away
+/// and amplified n times.
 void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
   w.line("// (1 - q)^" + std::to_string(exponent));
   w.open("float " + name + "(float q) {");
@@ -32,7 +33,8 @@ constexpr const char* kUnit = R"(vec3 unit(vec3 v) {
 
 )";
 
-constexpr const char* kPowerOfComplement = R"(// (1 - q)^s; 0^0 is 1. The logarithm's series takes its argument from q itself, which 1 - q has rounded.
+constexpr const char* kPowerOfComplement =
+    R"(// (1 - q)^s; 0^0 is 1. The logarithm's series takes its argument from q itself, which 1 - q has rounded.
 float power_of_complement(float q, float s) {
   float x = max(1.0 - q, 1e-37);
   int bits = floatBitsToInt(x);
@@ -48,7 +50,8 @@ float power_of_complement(float q, float s) {
 
 )";
 
-constexpr const char* kComplement = R"(// 1 - dot(n, h) for a unit vector h, exact where the two nearly meet: e is n - h, half_excess
+constexpr const char* kComplement =
+    R"(// 1 - dot(n, h) for a unit vector h, exact where the two nearly meet: e is n - h, half_excess
 // (|n|^2 - 1) / 2
 float complement(vec3 e, vec3 n, vec3 h, float half_excess) {
   return min(half_excess < 0.5 ? 0.5 * dot(e, e) - half_excess : 1.0 - dot(n, h), 1.0);
@@ -95,7 +98,8 @@ void emit_lighting_blocks(Writer& w, const ProgramKey& key) {
     const std::string side = face ? "back" : "front";
     w.line(std::string("layout(std140) uniform ") + kUniformBlockNames[kFrontBlock + face] + " {");
     w.line("  vec4 " + side + "_scene;          // rgb: light from no direction, a: alpha");
-    w.line("  vec4 " + side + "_ambient_light;  // rgb: for a per-vertex ambient material, w: shininess");
+    w.line("  vec4 " + side +
+           "_ambient_light;  // rgb: for a per-vertex ambient material, w: shininess");
     if (count) w.line("  Products " + side + "_products" + size + ";");
     w.line("};");
   }

@@ -58,12 +58,9 @@ void emit_point_geometry(Writer& w, std::uint8_t kind, const std::string& light)
 
 void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                       const std::string& light) {
-  if (key.local_viewer)
-    w.line("vec3 h = unit(to_light + to_viewer);");
-  else if (kind & kLightPoint)
-    w.line("vec3 h = unit(to_light + viewer.xyz);");
-  else
-    w.line("vec3 h = " + light + ".half_vector.xyz;");
+  if (key.local_viewer) w.line("vec3 h = unit(to_light + to_viewer);");
+  else if (kind & kLightPoint) w.line("vec3 h = unit(to_light + viewer.xyz);");
+  else w.line("vec3 h = " + light + ".half_vector.xyz;");
 }
 
 std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
@@ -72,8 +69,7 @@ std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
   const std::string n = face ? "-n" : "n";
   std::string chord = n + " - h";
   if (!(kind & kLightPoint) && !key.local_viewer) chord += " - " + light + ".attenuation.xyz";
-  const std::string q =
-      "complement(" + chord + ", " + n + ", h, " + half_excess + ")";
+  const std::string q = "complement(" + chord + ", " + n + ", h, " + half_excess + ")";
   if (key.integer_shininess[face] != kGeneralShininess)
     return std::string(kSide[face]) + "_shine(" + q + ")";
   return "power_of_complement(" + q + ", " +
@@ -96,7 +92,8 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
     sum += "max(" + n_dot_l + ", 0.0) * " + product(key, face, kDiffuse, "diffuse", index);
   }
   if (kind & kLightSpecular) {
-    const std::string specular = "(" + facing + " ? " + shine(key, kind, face, "lights[" + index + "]") + " : 0.0) * " +
+    const std::string specular = "(" + facing + " ? " +
+                                 shine(key, kind, face, "lights[" + index + "]") + " : 0.0) * " +
                                  product(key, face, kSpecular, "specular", index);
     if (key.separate_specular) {
       w.line(side + "_specular_sum += " + (scaled ? "strength * (" + specular + ")" : specular) +
@@ -106,8 +103,7 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
       sum += specular;
     }
   }
-  if (!sum.empty())
-    w.line(side + "_sum += " + (scaled ? "strength * (" + sum + ")" : sum) + ";");
+  if (!sum.empty()) w.line(side + "_sum += " + (scaled ? "strength * (" + sum + ")" : sum) + ";");
 }
 
 bool has_specular(const ProgramKey& key) {
@@ -116,7 +112,8 @@ bool has_specular(const ProgramKey& key) {
   return false;
 }
 
-/// (|n|^2 - 1) / 2 without the rounding of |n|^2: the high halves have 12 bits, their products are exact.
+/// (|n|^2 - 1) / 2 without the rounding of |n|^2: the high halves have 12 bits, their products are
+/// exact.
 void emit_half_excess(Writer& w, const ProgramKey& key) {
   w.line("vec3 high = floor(n * 2048.0) * (1.0 / 2048.0);");
   w.line("vec3 low = n - high;");
@@ -126,10 +123,8 @@ void emit_half_excess(Writer& w, const ProgramKey& key) {
 
 void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& index) {
   const std::string light = "lights[" + index + "]";
-  if (kind & kLightPoint)
-    emit_point_geometry(w, kind, light);
-  else
-    w.line("vec3 to_light = " + light + ".position.xyz;");
+  if (kind & kLightPoint) emit_point_geometry(w, kind, light);
+  else w.line("vec3 to_light = " + light + ".position.xyz;");
   if (kind & (kLightDiffuse | kLightSpecular)) w.line("float n_dot_l = dot(n, to_light);");
   if (kind & kLightSpecular) emit_half_vector(w, key, kind, light);
   for (unsigned face = 0; face < face_count(key); ++face) emit_terms(w, key, kind, face, index);
@@ -186,8 +181,7 @@ void emit_lights(Writer& w, const ProgramKey& key) {
         w.close();
       }
     } else {
-      w.open("for (int i = " + std::to_string(first) + "; i < " + std::to_string(end) +
-             "; ++i) {");
+      w.open("for (int i = " + std::to_string(first) + "; i < " + std::to_string(end) + "; ++i) {");
       emit_light(w, key, run.kind, "i");
       w.close();
     }

@@ -27,12 +27,10 @@ void emit_input(Writer& w, unsigned location, const std::string& type, const std
 void emit_inputs(Writer& w, const ProgramKey& key) {
   emit_input(w, kLocationPosition, "vec4", "position");
   if (key.lit) emit_input(w, kLocationNormal, "vec3", "normal");
-  if (key.lighting_position)
-    emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
+  if (key.lighting_position) emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
   if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
   if (reads_color(key)) emit_input(w, kLocationColor, "vec4", "color");
-  if (key.secondary_from_vertex)
-    emit_input(w, kLocationSecondaryColor, "vec3", "secondary_color");
+  if (key.secondary_from_vertex) emit_input(w, kLocationSecondaryColor, "vec3", "secondary_color");
   for (unsigned face = 0; face < 2; ++face)
     for (unsigned property = 0; property < 5; ++property)
       if (key.material[face][property] == MaterialSource::kVertex)
@@ -50,8 +48,9 @@ void emit_varyings(Writer& w, const ProgramKey& key, const char* direction) {
   if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
 }
 
-/// Aliased points are squares of whole pixels (GL 2.1 spec 3.3.1): their centre moves to the middle of a pixel, or to
-/// the corner of four where the size is even. The core profile's own points are not moved.
+/// Aliased points are squares of whole pixels (GL 2.1 spec 3.3.1): their centre moves to the middle
+/// of a pixel, or to the corner of four where the size is even. The core profile's own points are
+/// not moved.
 void emit_point(Writer& w, Dialect dialect) {
   if (dialect == Dialect::kEs300) w.line("gl_PointSize = point.x;");
   w.line("vec2 window = gl_Position.xy / gl_Position.w * viewport.xy + viewport.zw;");
@@ -61,7 +60,8 @@ void emit_point(Writer& w, Dialect dialect) {
   w.line("vec2 edge = vec2(gl_Position.w);");
   w.line("bool visible = all(lessThanEqual(abs(gl_Position.xy), edge));");
   w.line("gl_Position.xy = visible ? clamp(snapped, -edge, edge) : gl_Position.xy;");
-  // OpenGL ES draws the part of a point that reaches into view; OpenGL clips the point (GL 2.1 spec 2.12).
+  // OpenGL ES draws the part of a point that reaches into view; OpenGL clips the point (GL 2.1
+  // spec 2.12).
   if (dialect == Dialect::kEs300)
     w.line("gl_Position = visible ? gl_Position : vec4(0.0, 0.0, 2.0, 1.0);");
 }
@@ -74,7 +74,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (key.lit) emit_lighting_blocks(w, key);
   emit_inputs(w, key);
   emit_varyings(w, key, "out");
-  // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own depth.
+  // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own
+  // depth.
   w.line("invariant gl_Position;");
   w.blank();
   if (key.lit) emit_lighting_functions(w, key);
@@ -119,8 +120,7 @@ std::string fragment_shader(const ProgramKey& key, Dialect dialect) {
   }
   if (has_secondary(key))  // GL 2.1 spec 3.9, "color sum"; a fixed-point framebuffer clamps
     w.line("fragment_color = vec4(" + color + ".rgb + " + secondary + ", " + color + ".a);");
-  else
-    w.line("fragment_color = " + color + ";");
+  else w.line("fragment_color = " + color + ";");
   w.close();
   return w.text();
 }

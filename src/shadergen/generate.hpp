@@ -5,7 +5,8 @@
 
 namespace legacy_gl {
 
-/// The text of both stages. A pure function: the same key and dialect give the same bytes every time.
+/// The text of both stages. A pure function: the same key and dialect give the same bytes every
+/// time.
 struct ProgramSource {
   std::string vertex;
   std::string fragment;

@@ -30,10 +30,10 @@ std::string describe_kind(std::uint8_t kind) {
 
 std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   std::size_t hash = 0xcbf29ce484222325ull;
-  const bool flags[] = {key.lit,         key.flat,          key.secondary_from_vertex,
-                        key.two_side,    key.local_viewer,  key.separate_specular,
-                        key.position4,   key.points,    key.per_fragment,
-                        key.back_only,   key.angle_error,   key.lighting_position,
+  const bool flags[] = {key.lit,         key.flat,         key.secondary_from_vertex,
+                        key.two_side,    key.local_viewer, key.separate_specular,
+                        key.position4,   key.points,       key.per_fragment,
+                        key.back_only,   key.angle_error,  key.lighting_position,
                         key.depth_offset};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);

@@ -9,7 +9,8 @@ namespace legacy_gl {
 /// The GLSL a driver speaks. Not part of the key: one context has one dialect.
 enum class Dialect : std::uint8_t { kCore330, kEs300 };
 
-/// Facts about one light that choose code. Lights of the same kind are neighbours in the blocks and in the GLSL.
+/// Facts about one light that choose code. Lights of the same kind are neighbours in the blocks and
+/// in the GLSL.
 enum LightKindBit : std::uint8_t {
   kLightPoint = 1,         ///< has a position; otherwise a direction
   kLightAttenuated = 2,    ///< 1/(k0 + k1 d + k2 d²) varies with d
@@ -45,7 +46,8 @@ enum class NormalMode : std::uint8_t {
 /// Where a material property comes from.
 enum class MaterialSource : std::uint8_t { kUniform, kColor, kVertex };
 
-/// Everything that chooses the text of a program, and nothing else. Normalised: a field that cannot matter is zero.
+/// Everything that chooses the text of a program, and nothing else. Normalised: a field that cannot
+/// matter is zero.
 struct ProgramKey {
   bool lit = false;
   bool flat = false;
@@ -53,18 +55,20 @@ struct ProgramKey {
   bool two_side = false;
   bool local_viewer = false;
   bool separate_specular = false;
-  bool position4 = false;   ///< the position attribute has a w
-  bool points = false;      ///< draws GL_POINTS
+  bool position4 = false;  ///< the position attribute has a w
+  bool points = false;     ///< draws GL_POINTS
   bool per_fragment = false;
   bool angle_error = false;  ///< object space under a modelview that keeps angles only nearly
-  bool back_only = false;  ///< unfilled back faces: every primitive of the draw takes the back colour
+  bool back_only =
+      false;  ///< unfilled back faces: every primitive of the draw takes the back colour
   bool lighting_position = false;  ///< flat and unfilled: lit where the provoking vertex is
   bool depth_offset = false;       ///< unfilled with polygon offset
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;
   /// [face][ambient, diffuse, specular, emission, shininess]
   std::array<std::array<MaterialSource, 5>, 2> material{};
-  /// Shininess of each face: 0 to 128 is raised by repeated squaring, kGeneralShininess by exp2 and a logarithm.
+  /// Shininess of each face: 0 to 128 is raised by repeated squaring, kGeneralShininess by exp2 and
+  /// a logarithm.
   std::array<std::uint8_t, 2> integer_shininess{};
   std::array<LightRun, kMaxLightRuns> lights{};
   bool operator==(const ProgramKey&) const = default;

@@ -1,6 +1,6 @@
 #pragma once
-// Each uniform block: the C++ struct and its std140 text side by side. Sizes and offsets are checked here and, in the
-// tests, against the linked program.
+// Each uniform block: the C++ struct and its std140 text side by side. Sizes and offsets are
+// checked here and, in the tests, against the linked program.
 #include <array>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
@@ -10,7 +10,13 @@ namespace legacy_gl {
 
 inline constexpr unsigned kMaxLights = 256;
 
-enum UniformBlock : unsigned { kTransformBlock, kLightsBlock, kFrontBlock, kBackBlock, kUniformBlockCount };
+enum UniformBlock : unsigned {
+  kTransformBlock,
+  kLightsBlock,
+  kFrontBlock,
+  kBackBlock,
+  kUniformBlockCount
+};
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
     "Transform", "Lights", "FrontMaterial", "BackMaterial"};
 
@@ -18,7 +24,7 @@ struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
   glm::mat4 modelview{1.0f};
   std::array<glm::vec4, 3> normal_matrix{};
-  glm::vec4 viewer{0};  ///< xyz: the eye in lighting space; w: scale of the normals
+  glm::vec4 viewer{0};             ///< xyz: the eye in lighting space; w: scale of the normals
   glm::vec4 point{1, 0.5f, 0, 0};  ///< x: point size in pixels, y: 0.5 where it is odd
   glm::vec4 viewport{1, 1, 0, 0};  ///< xy: half its size, zw: its centre, in window coordinates
   std::array<glm::vec4, 3> angle_error{};  ///< what the modelview lacks to keep angles exactly
@@ -41,8 +47,8 @@ static_assert(sizeof(TransformUniforms) == 272);
 struct LightUniforms {
   glm::vec4 position{0};     ///< lighting space; a directional light: the unit vector to it
   glm::vec4 half_vector{0};  ///< directional with an infinite viewer: unit half vector
-  /// k0, k1, k2 for distances in lighting space, w: spot exponent. A directional light: what float32
-  /// rounded off half_vector.
+  /// k0, k1, k2 for distances in lighting space, w: spot exponent. A directional light: what
+  /// float32 rounded off half_vector.
   glm::vec4 attenuation{1, 0, 0, 0};
   glm::vec4 spot_direction{0, 0, -1, 2};  ///< unit; w: 2 sin^2(cutoff/2)
 };
@@ -55,7 +61,8 @@ inline constexpr const char* kLightStructText = R"(struct Light {
 )";
 static_assert(sizeof(LightUniforms) == 64);
 
-/// A light's colours times the material's; the light's own colour where the material comes with the vertex.
+/// A light's colours times the material's; the light's own colour where the material comes with the
+/// vertex.
 struct LightProducts {
   glm::vec4 ambient{0}, diffuse{0}, specular{0};
 };
@@ -63,8 +70,9 @@ static_assert(sizeof(LightProducts) == 48);
 
 /// What heads FrontMaterial and BackMaterial; LightProducts of each light follow.
 struct MaterialUniforms {
-  glm::vec4 scene{0};          ///< rgb: all that no light direction changes; a: alpha
-  glm::vec4 ambient_light{0};  ///< rgb: ambient light that a per-vertex ambient material takes; w: shininess
+  glm::vec4 scene{0};  ///< rgb: all that no light direction changes; a: alpha
+  glm::vec4 ambient_light{
+      0};  ///< rgb: ambient light that a per-vertex ambient material takes; w: shininess
 };
 inline constexpr const char* kProductsStructText = R"(struct Products {  // light times material
   vec4 ambient;

@@ -33,7 +33,8 @@ struct TransformState {
 
 }  // namespace legacy_gl
 
-/// All that one context remembers: GL's state by groups, what is recorded and not drawn yet, and the driver's side.
+/// All that one context remembers: GL's state by groups, what is recorded and not drawn yet, and
+/// the driver's side.
 struct legacy_gl_context {
   explicit legacy_gl_context(const legacy_gl_options& chosen);
   ~legacy_gl_context();
@@ -49,19 +50,19 @@ struct legacy_gl_context {
   legacy_gl::RasterState raster;
   legacy_gl::HintState hints;
   legacy_gl::PixelStore pack, unpack;
-  GLenum read_buffer = GL_FRONT;       ///< set when the framebuffer is known
+  GLenum read_buffer = GL_FRONT;  ///< set when the framebuffer is known
   legacy_gl::ClientArrays arrays;
   legacy_gl::AttributeStacks attribute_stacks;
   legacy_gl::ListState lists;
   bool color_sum_enabled = false;
-  unsigned active_texture = 0;         ///< unit that glMatrixMode(GL_TEXTURE) and its like address
+  unsigned active_texture = 0;  ///< unit that glMatrixMode(GL_TEXTURE) and its like address
   unsigned client_active_texture = 0;
 
   legacy_gl_statistics statistics{};
   std::unordered_set<std::string> diagnostics_given;
-  std::string renderer;                ///< what glGetString(GL_RENDERER) answers, once asked
+  std::string renderer;  ///< what glGetString(GL_RENDERER) answers, once asked
   std::unique_ptr<legacy_gl::Backend> backend;
-  std::thread::id current_in{};        ///< the thread in which it is current; default: none
+  std::thread::id current_in{};  ///< the thread in which it is current; default: none
 };
 
 namespace legacy_gl {
@@ -80,8 +81,8 @@ void diagnose(Context& context, const std::string& message);
 /// Draws what is recorded. Every setter calls it before it stores a value that differs.
 void flush_pending(Context& context);
 
-/// The order of every setter: what was recorded under the old value is drawn, then the value is stored and its dirty
-/// bits raised. Returns *changed*.
+/// The order of every setter: what was recorded under the old value is drawn, then the value is
+/// stored and its dirty bits raised. Returns *changed*.
 template <typename T, typename U>
 bool assign(Context& context, T& stored, const U& value, std::uint32_t dirty_bits) {
   if (stored == value) return false;

@@ -3,13 +3,14 @@
 
 namespace legacy_gl {
 
-/// What has to be derived again before the next draw. A setter raises a bit only when a value changed.
+/// What has to be derived again before the next draw. A setter raises a bit only when a value
+/// changed.
 enum Dirty : std::uint32_t {
-  kDirtyTransform = 1u << 0,   ///< modelview or projection
-  kDirtyLights = 1u << 1,      ///< light parameters, in eye coordinates
-  kDirtyMaterial = 1u << 2,    ///< material values, light model ambient
-  kDirtyKey = 1u << 3,         ///< a state that chooses the program variant
-  kDirtyRaster = 1u << 4,      ///< a state that the driver still has: depth, blend, cull, ...
+  kDirtyTransform = 1u << 0,  ///< modelview or projection
+  kDirtyLights = 1u << 1,     ///< light parameters, in eye coordinates
+  kDirtyMaterial = 1u << 2,   ///< material values, light model ambient
+  kDirtyKey = 1u << 3,        ///< a state that chooses the program variant
+  kDirtyRaster = 1u << 4,     ///< a state that the driver still has: depth, blend, cull, ...
   kDirtyAll = 0xffffffffu
 };
 

@@ -123,10 +123,8 @@ void set_draw_buffer(Context& context, GLenum mode) {
   flush_pending(context);
   context.raster.color_buffer.draw_buffer = mode;
   const Driver& driver = context.backend->driver;
-  if (driver.DrawBuffer)
-    driver.DrawBuffer(chosen);
-  else if (driver.DrawBuffers)
-    driver.DrawBuffers(1, &chosen);
+  if (driver.DrawBuffer) driver.DrawBuffer(chosen);
+  else if (driver.DrawBuffers) driver.DrawBuffers(1, &chosen);
 }
 
 void set_read_buffer(Context& context, GLenum mode) {

@@ -12,8 +12,8 @@ namespace {
 
 std::vector<Query> sorted_rows() {
   std::vector<Query> rows;
-  for (const QueryGroups groups : {state_queries(), array_queries(), driver_queries(),
-                                   initial_value_queries()})
+  for (const QueryGroups groups :
+       {state_queries(), array_queries(), driver_queries(), initial_value_queries()})
     for (const auto& group : groups) rows.insert(rows.end(), group.begin(), group.end());
   std::sort(rows.begin(), rows.end(),
             [](const Query& a, const Query& b) { return a.name < b.name; });

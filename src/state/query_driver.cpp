@@ -27,17 +27,13 @@ void driver_floats(Context& c, QueryValues& v) {
 /// OpenGL ES has no smooth points and lines: the aliased range, in steps of one.
 template <GLenum DesktopName, GLenum EsName>
 void size_range(Context& c, QueryValues& v) {
-  if (c.backend->driver.is_es())
-    driver_floats<EsName, 2>(c, v);
-  else
-    driver_floats<DesktopName, 2>(c, v);
+  if (c.backend->driver.is_es()) driver_floats<EsName, 2>(c, v);
+  else driver_floats<DesktopName, 2>(c, v);
 }
 template <GLenum DesktopName>
 void size_granularity(Context& c, QueryValues& v) {
-  if (c.backend->driver.is_es())
-    v.put(1);
-  else
-    driver_floats<DesktopName>(c, v);
+  if (c.backend->driver.is_es()) v.put(1);
+  else driver_floats<DesktopName>(c, v);
 }
 
 template <FramebufferChannel Channel>

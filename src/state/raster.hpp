@@ -8,8 +8,8 @@
 
 namespace legacy_gl {
 
-// The state that the core profile still has: we keep it so that glGet and the attribute stack need no
-// driver round trip, and hand it on when a draw, a clear or a read needs it.
+// The state that the core profile still has: we keep it so that glGet and the attribute stack need
+// no driver round trip, and hand it on when a draw, a clear or a read needs it.
 
 struct DepthState {
   bool test_enabled = false;
@@ -70,7 +70,8 @@ struct PointState {
   bool operator==(const PointState&) const = default;
 };
 
-/// Aliased points are whole pixels wide (GL 2.1 spec 3.3.1); halves go down, as the reference rounds them.
+/// Aliased points are whole pixels wide (GL 2.1 spec 3.3.1); halves go down, as the reference
+/// rounds them.
 inline float whole_point_size(const PointState& point) {
   return std::max(1.0f, std::ceil(point.size - 0.5f));
 }
@@ -104,8 +105,7 @@ struct MultisampleState {
 struct HintState {
   GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE,
          line_smooth = GL_DONT_CARE, polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE,
-         generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE,
-         phong = GL_DONT_CARE;
+         generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE, phong = GL_DONT_CARE;
   bool operator==(const HintState&) const = default;
 };
 

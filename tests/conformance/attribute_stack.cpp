@@ -96,10 +96,8 @@ void draw_levels(const GlFunctions& gl, bool stacked) {
     gl.PushAttrib(GL_LIGHTING_BIT | GL_CURRENT_BIT);
   }
   for (int i = levels - 1; i >= 0; --i) {
-    if (stacked)
-      gl.PopAttrib();
-    else
-      set_material(i);
+    if (stacked) gl.PopAttrib();
+    else set_material(i);
     gl.PushMatrix();
     gl.Translatef(-0.75F + 0.5F * static_cast<float>(i % 4),
                   -0.75F + 0.5F * static_cast<float>(i / 4), 0);

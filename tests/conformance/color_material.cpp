@@ -91,10 +91,8 @@ std::vector<Scene> color_material_scenes() {
                       begin_lit_scene(gl);
                       gl.ColorMaterial(GL_FRONT, GL_AMBIENT_AND_DIFFUSE);
                       for (int i = 0; i < 4; ++i) {
-                        if (i % 2 == 0)
-                          gl.Enable(GL_COLOR_MATERIAL);
-                        else
-                          gl.Disable(GL_COLOR_MATERIAL);
+                        if (i % 2 == 0) gl.Enable(GL_COLOR_MATERIAL);
+                        else gl.Disable(GL_COLOR_MATERIAL);
                         gl.Color4f(0.2F + 0.2F * static_cast<float>(i), 0.8F, 0.3F, 1);
                         in_quarter(gl, i % 2, i / 2, [](const GlFunctions& g) { draw_sphere(g); });
                       }

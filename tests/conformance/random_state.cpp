@@ -133,10 +133,8 @@ void set_transform(const GlFunctions& gl, Random& random, int normal_mode) {
   const Parameters axis = random.direction();
   gl.Rotatef(random.between(0, 360), axis.values[0], axis.values[1], axis.values[2]);
   const float scale = random.between(0.5F, 1.2F);
-  if (normal_mode == 1)
-    gl.Scalef(scale, random.between(0.5F, 1.2F), random.between(0.5F, 1.2F));
-  else
-    gl.Scalef(scale, scale, scale);
+  if (normal_mode == 1) gl.Scalef(scale, random.between(0.5F, 1.2F), random.between(0.5F, 1.2F));
+  else gl.Scalef(scale, scale, scale);
 }
 
 void draw_figure(const GlFunctions& gl, const Structure& structure) {
@@ -145,14 +143,10 @@ void draw_figure(const GlFunctions& gl, const Structure& structure) {
     return;
   }
   switch (structure.figure) {
-    case 0:
-      return draw_sphere(gl, 0.9F, 12, 8);
-    case 1:
-      return draw_torus(gl, 0.3F, 0.6F);
-    case 2:
-      return draw_half_tube(gl);
-    default:
-      return draw_cube(gl, 0.6F);
+    case 0: return draw_sphere(gl, 0.9F, 12, 8);
+    case 1: return draw_torus(gl, 0.3F, 0.6F);
+    case 2: return draw_half_tube(gl);
+    default: return draw_cube(gl, 0.6F);
   }
 }
 

@@ -71,10 +71,8 @@ std::vector<Scene> rect_scenes() {
       rect_scene(
           "reversed_is_culled",
           [](const GlFunctions& gl, int i) {
-            if (i % 2 == 0)
-              gl.Recti(7, -6, -8 + i, 5);
-            else
-              gl.Recti(-8 + i, -6, 7, 5);
+            if (i % 2 == 0) gl.Recti(7, -6, -8 + i, 5);
+            else gl.Recti(-8 + i, -6, 7, 5);
           },
           [](const GlFunctions& gl) { gl.Enable(GL_CULL_FACE); }),
       rect_scene("as_lines", rect_f,

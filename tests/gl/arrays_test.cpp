@@ -29,9 +29,10 @@ std::vector<Vertex> spiral(unsigned count) {
   for (unsigned i = 0; i < count; ++i) {
     const float angle = 0.7F * static_cast<float>(i);
     const float radius = 0.95F - 0.4F * static_cast<float>(i % 2) - 0.01F * static_cast<float>(i);
-    vertices.push_back({{radius * std::cos(angle), radius * std::sin(angle), 0.02F * static_cast<float>(i)},
-                        {static_cast<float>(i * 37 % 100) / 100, static_cast<float>(i * 61 % 100) / 100,
-                         static_cast<float>(i * 17 % 100) / 100, 1}});
+    vertices.push_back(
+        {{radius * std::cos(angle), radius * std::sin(angle), 0.02F * static_cast<float>(i)},
+         {static_cast<float>(i * 37 % 100) / 100, static_cast<float>(i * 61 % 100) / 100,
+          static_cast<float>(i * 17 % 100) / 100, 1}});
   }
   return vertices;
 }
@@ -91,7 +92,9 @@ constexpr std::array<const char*, 10> kModeNames = {
 
 }  // namespace
 
-std::string mode_name(const testing::TestParamInfo<unsigned>& mode) { return kModeNames[mode.param]; }
+std::string mode_name(const testing::TestParamInfo<unsigned>& mode) {
+  return kModeNames[mode.param];
+}
 
 class ArraysMode : public testing::TestWithParam<unsigned> {};
 
@@ -120,28 +123,41 @@ TEST_P(ArraysMode, RendersElementsAsMesa) {
         std::string("elements_") + kModeNames[GetParam()] + (shade == GL_FLAT ? "_flat" : ""));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ArraysMode, testing::Range(0U, 10U),
-                         mode_name);
+INSTANTIATE_TEST_SUITE_P(All, ArraysMode, testing::Range(0U, 10U), mode_name);
 
 // Every size, type, stride and enable, as text to compare.
 std::string array_state(const GlFunctions& gl) {
   std::string text;
-  for (const auto name :
-       {GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE, GL_NORMAL_ARRAY_TYPE,
-        GL_NORMAL_ARRAY_STRIDE, GL_COLOR_ARRAY_SIZE, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE,
-        GL_SECONDARY_COLOR_ARRAY_SIZE, GL_SECONDARY_COLOR_ARRAY_TYPE,
-        GL_SECONDARY_COLOR_ARRAY_STRIDE, GL_FOG_COORD_ARRAY_TYPE, GL_FOG_COORD_ARRAY_STRIDE,
-        GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_EDGE_FLAG_ARRAY_STRIDE,
-        GL_TEXTURE_COORD_ARRAY_SIZE, GL_TEXTURE_COORD_ARRAY_TYPE, GL_TEXTURE_COORD_ARRAY_STRIDE,
-        GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BUFFER_BINDING,
-        GL_CLIENT_ACTIVE_TEXTURE})
+  for (const auto name : {GL_VERTEX_ARRAY_SIZE,
+                          GL_VERTEX_ARRAY_TYPE,
+                          GL_VERTEX_ARRAY_STRIDE,
+                          GL_NORMAL_ARRAY_TYPE,
+                          GL_NORMAL_ARRAY_STRIDE,
+                          GL_COLOR_ARRAY_SIZE,
+                          GL_COLOR_ARRAY_TYPE,
+                          GL_COLOR_ARRAY_STRIDE,
+                          GL_SECONDARY_COLOR_ARRAY_SIZE,
+                          GL_SECONDARY_COLOR_ARRAY_TYPE,
+                          GL_SECONDARY_COLOR_ARRAY_STRIDE,
+                          GL_FOG_COORD_ARRAY_TYPE,
+                          GL_FOG_COORD_ARRAY_STRIDE,
+                          GL_INDEX_ARRAY_TYPE,
+                          GL_INDEX_ARRAY_STRIDE,
+                          GL_EDGE_FLAG_ARRAY_STRIDE,
+                          GL_TEXTURE_COORD_ARRAY_SIZE,
+                          GL_TEXTURE_COORD_ARRAY_TYPE,
+                          GL_TEXTURE_COORD_ARRAY_STRIDE,
+                          GL_ARRAY_BUFFER_BINDING,
+                          GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                          GL_VERTEX_ARRAY_BUFFER_BINDING,
+                          GL_CLIENT_ACTIVE_TEXTURE})
     text += std::to_string(integer(gl, static_cast<GLenum>(name))) + " ";
   for (const auto name :
        {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY,
         GL_TEXTURE_COORD_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY})
     text += gl.IsEnabled(static_cast<GLenum>(name)) ? "on " : "off ";
   for (const auto name : {GL_VERTEX_ARRAY_POINTER, GL_NORMAL_ARRAY_POINTER, GL_COLOR_ARRAY_POINTER,
-                            GL_TEXTURE_COORD_ARRAY_POINTER}) {
+                          GL_TEXTURE_COORD_ARRAY_POINTER}) {
     void* pointer = nullptr;
     gl.GetPointerv(static_cast<GLenum>(name), &pointer);
     text += std::to_string(reinterpret_cast<std::uintptr_t>(pointer)) + " ";
@@ -223,8 +239,8 @@ TEST(ArraysRenders, SparseElements) {
 }
 
 TEST(ArraysRenders, PositionsOfFourComponents) {
-  std::array<GLfloat, 16> positions = {-0.9F, -0.9F, 0, 1, 1.8F, -1.6F, 0, 2,
-                                       0.2F,  0.4F,  0, 0.5F, -0.5F, 0.9F, 0, 1};
+  std::array<GLfloat, 16> positions = {-0.9F, -0.9F, 0, 1,    1.8F,  -1.6F, 0, 2,
+                                       0.2F,  0.4F,  0, 0.5F, -0.5F, 0.9F,  0, 1};
   const auto draw = [&](const GlFunctions& gl) {
     gl.EnableClientState(GL_VERTEX_ARRAY);
     gl.VertexPointer(4, GL_FLOAT, 0, positions.data());
@@ -270,12 +286,13 @@ TEST(ArraysRenders, ListsDereferenceWhenCompiled) {
     if (in_buffer) {
       gl.GenBuffers(1, &buffer);
       gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-      gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
-                    GL_STATIC_DRAW);
+      gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
+                    vertices.data(), GL_STATIC_DRAW);
       gl.EnableClientState(GL_VERTEX_ARRAY);
       gl.VertexPointer(3, GL_FLOAT, sizeof(Vertex), nullptr);
       gl.EnableClientState(GL_COLOR_ARRAY);
-      gl.ColorPointer(4, GL_FLOAT, sizeof(Vertex), reinterpret_cast<const void*>(offsetof(Vertex, color)));
+      gl.ColorPointer(4, GL_FLOAT, sizeof(Vertex),
+                      reinterpret_cast<const void*>(offsetof(Vertex, color)));
     } else {
       point_at(gl, vertices);
     }
@@ -320,7 +337,8 @@ TEST_P(ArraysMode, RendersListsAsMesa) {
             gl.Translatef(0.1F, 0, 0);
             gl.CallList(1);
           },
-          std::string("list_") + (indexed ? "elements_" : "arrays_") + (colored ? "colored_" : "") + kModeNames[GetParam()]);
+          std::string("list_") + (indexed ? "elements_" : "arrays_") + (colored ? "colored_" : "") +
+              kModeNames[GetParam()]);
 }
 
 TEST(ArraysRenders, ListsAreUploadedOnce) {
@@ -354,7 +372,8 @@ TEST(ArraysRenders, ListsTakeCurrentValuesOfLater) {
       "list_takes_current_color");
 }
 
-// Signed integers are normalised as in the vertex commands (GL 2.1 spec table 2.9), wherever they lie.
+// Signed integers are normalised as in the vertex commands (GL 2.1 spec table 2.9), wherever they
+// lie.
 TEST(ArraysRenders, SignedColorsAsTheVertexCommands) {
   const std::array<GLfloat, 6> positions = {-0.9F, -0.9F, 0.9F, -0.9F, 0, 0.9F};
   const std::array<GLbyte, 12> colors = {0, 20, 127, 0, 90, 3, 60, 0, 1, 50, -3, 0};
@@ -395,7 +414,8 @@ TEST(ArraysRenders, SharedVerticesAreUploadedOnce) {
   const GlFunctions& gl = ours().gl;
   point_at(gl, vertices);
   legacy_gl_reset_statistics();
-  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data());
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT,
+                  indices.data());
   EXPECT_EQ(statistics().vertices, 100U);
   EXPECT_EQ(statistics().vertex_bytes_uploaded, 100U * 7 * sizeof(float));
 }
@@ -404,9 +424,11 @@ TEST(ArraysRenders, SharedVerticesAreUploadedOnce) {
 TEST_P(ArraysMode, RendersManyVerticesAsMesa) {
   std::vector<Vertex> vertices;
   for (unsigned i = 0; i < 3001; ++i) {
-    const float x = static_cast<float>(i * 7 % 61) / 31 - 0.95F, y = static_cast<float>(i * 11 % 53) / 27 - 0.95F;
+    const float x = static_cast<float>(i * 7 % 61) / 31 - 0.95F,
+                y = static_cast<float>(i * 11 % 53) / 27 - 0.95F;
     vertices.push_back({{x, y, static_cast<float>(i) / 3001},
-                        {static_cast<float>(i % 7) / 6, static_cast<float>(i % 5) / 4, static_cast<float>(i % 3) / 2, 1}});
+                        {static_cast<float>(i % 7) / 6, static_cast<float>(i % 5) / 4,
+                         static_cast<float>(i % 3) / 2, 1}});
   }
   std::vector<GLushort> indices;
   for (unsigned i = 0; i < 2401; ++i) indices.push_back(static_cast<GLushort>(100 + i * 13 % 2900));

@@ -16,24 +16,18 @@ enum class Implementation { mesa, core, gles };
 
 const char* name_of(Implementation implementation) {
   switch (implementation) {
-    case Implementation::mesa:
-      return "mesa";
-    case Implementation::core:
-      return "core";
-    case Implementation::gles:
-      break;
+    case Implementation::mesa: return "mesa";
+    case Implementation::core: return "core";
+    case Implementation::gles: break;
   }
   return "gles";
 }
 
 std::unique_ptr<RenderContext> make_context(Implementation implementation) {
   switch (implementation) {
-    case Implementation::mesa:
-      return std::make_unique<MesaContext>(16, 16);
-    case Implementation::core:
-      return std::make_unique<CoreContext>(16, 16);
-    case Implementation::gles:
-      break;
+    case Implementation::mesa: return std::make_unique<MesaContext>(16, 16);
+    case Implementation::core: return std::make_unique<CoreContext>(16, 16);
+    case Implementation::gles: break;
   }
   return std::make_unique<GlesContext>(16, 16);
 }

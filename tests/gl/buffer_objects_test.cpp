@@ -236,7 +236,8 @@ TEST_P(BufferObjects, DrawWithoutAnUpload) {
   EXPECT_EQ(statistics().index_bytes_uploaded, 18 * sizeof(GLuint));
 }
 
-// More than the buffer holds is undefined; it must not be a read of foreign memory, and what is there is drawn.
+// More than the buffer holds is undefined; it must not be a read of foreign memory, and what is
+// there is drawn.
 TEST_P(BufferObjects, SurviveDrawsPastTheirEnd) {
   const GlFunctions& gl = fresh();
   point_into_buffer(gl, fan(6));
@@ -260,8 +261,9 @@ TEST_P(BufferObjectsMode, RendersAsMesa) {
   for (const bool lit : {false, true})
     for (const bool flat : {false, true})
       for (const int elements : {0, 1, 2}) {  // none, in client memory, in a buffer
-        const std::string name = "buffers_mode_" + std::to_string(GetParam()) + (lit ? "_lit" : "") +
-                                 (flat ? "_flat" : "") + "_" + std::to_string(elements);
+        const std::string name = "buffers_mode_" + std::to_string(GetParam()) +
+                                 (lit ? "_lit" : "") + (flat ? "_flat" : "") + "_" +
+                                 std::to_string(elements);
         expect_as_mesa(
             [&](const GlFunctions& gl) {
               if (lit) {
@@ -270,7 +272,8 @@ TEST_P(BufferObjectsMode, RendersAsMesa) {
               }
               gl.ShadeModel(flat ? GL_FLAT : GL_SMOOTH);
               point_into_buffer(gl, vertices);
-              if (elements == 2) make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, indices.size(), indices.data());
+              if (elements == 2)
+                make_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, indices.size(), indices.data());
               const void* const first = elements == 2 ? offset_of(3) : &indices[3];
               if (elements) gl.DrawElements(GetParam(), 12, GL_UNSIGNED_BYTE, first);
               else gl.DrawArrays(GetParam(), 2, 12);

@@ -1,4 +1,5 @@
-// The contract of docs/coexistence.md: a program's own core OpenGL beside ours in one driver context.
+// The contract of docs/coexistence.md: a program's own core OpenGL beside ours in one driver
+// context.
 #include <GL/glcorearb.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +14,8 @@ Function driver(const char* name) {
   return reinterpret_cast<Function>(CoreContext::driver_proc(name));
 }
 
-/// A program's own drawing: a white triangle in the lower left corner, with states that ours would not choose.
+/// A program's own drawing: a white triangle in the lower left corner, with states that ours would
+/// not choose.
 class OwnDrawing {
  public:
   OwnDrawing() {
@@ -21,8 +23,7 @@ class OwnDrawing {
     attach(GL_VERTEX_SHADER,
            "#version 330 core\nlayout(location = 0) in vec2 p;\n"
            "void main() { gl_Position = vec4(p, -0.9, 1.0); }\n");
-    attach(GL_FRAGMENT_SHADER,
-           "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+    attach(GL_FRAGMENT_SHADER, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
     driver<PFNGLLINKPROGRAMPROC>("glLinkProgram")(program_);
     driver<PFNGLGENVERTEXARRAYSPROC>("glGenVertexArrays")(1, &array_);
     driver<PFNGLBINDVERTEXARRAYPROC>("glBindVertexArray")(array_);

@@ -66,8 +66,7 @@ TEST_F(ContextCreation, SaysTheVersionOfADriverThatIsTooOld) {
 TEST_F(ContextCreation, NeedsACurrentDriverContext) {
   legacy_gl_loader no_version = [](const char* name) {
     return std::strcmp(name, "glGetString") == 0
-               ? reinterpret_cast<legacy_gl_proc>(
-                     +[](GLenum) -> const GLubyte* { return nullptr; })
+               ? reinterpret_cast<legacy_gl_proc>(+[](GLenum) -> const GLubyte* { return nullptr; })
                : CoreContext::driver_proc(name);
   };
   expect_refused(no_version, LEGACY_GL_NO_DRIVER_CONTEXT, "glGetString");

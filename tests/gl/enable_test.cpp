@@ -91,10 +91,8 @@ TEST_P(Enable, SetAndGet) {
   for (std::size_t i = 0; i < std::size(kCapabilities); ++i) {
     std::vector<GLboolean> expected = all();
     for (const bool enable : {true, false, true}) {
-      if (enable)
-        gl.Enable(kCapabilities[i]);
-      else
-        gl.Disable(kCapabilities[i]);
+      if (enable) gl.Enable(kCapabilities[i]);
+      else gl.Disable(kCapabilities[i]);
       expected[i] = enable;
       EXPECT_EQ(all(), expected);
     }

@@ -1,5 +1,5 @@
-// Any state change that changes the picture reaches the key, a uniform block or the driver's state: a context that drew
-// after every change ends with the picture of one that drew only once.
+// Any state change that changes the picture reaches the key, a uniform block or the driver's state:
+// a context that drew after every change ends with the picture of one that drew only once.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Lists as meshes: what is welded, and that the picture and the current values are those of the calls.
+// Lists as meshes: what is welded, and that the picture and the current values are those of the
+// calls.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -28,8 +28,7 @@ TEST(ProgramKey, TheFirstLinesSayTheDialectAndTheKeyInWords) {
   const ProgramSource es = generate(key, Dialect::kEs300);
   EXPECT_EQ(core.vertex.substr(0, core.vertex.find('\n')), "#version 330 core");
   EXPECT_EQ(es.vertex.substr(0, es.vertex.find('\n')), "#version 300 es");
-  EXPECT_NE(core.vertex.find("// vertex: 1 directional (d), in object space\n"),
-            std::string::npos);
+  EXPECT_NE(core.vertex.find("// vertex: 1 directional (d), in object space\n"), std::string::npos);
 }
 
 TEST(ProgramKey, GeneratedTextHasNoPreprocessorBranches) {

@@ -60,10 +60,8 @@ bool is_matrix(GLenum name) {
     case GL_TEXTURE_MATRIX:
     case GL_TRANSPOSE_MODELVIEW_MATRIX:
     case GL_TRANSPOSE_PROJECTION_MATRIX:
-    case GL_TRANSPOSE_TEXTURE_MATRIX:
-      return true;
-    default:
-      return false;
+    case GL_TRANSPOSE_TEXTURE_MATRIX: return true;
+    default: return false;
   }
 }
 
@@ -92,10 +90,8 @@ bool is_drivers(GLenum name) {
     case GL_SUBPIXEL_BITS:
     case GL_DOUBLEBUFFER:
     case GL_DRAW_BUFFER:
-    case GL_READ_BUFFER:
-      return true;
-    default:
-      return false;
+    case GL_READ_BUFFER: return true;
+    default: return false;
   }
 }
 
@@ -231,8 +227,7 @@ TEST_P(Queries, MaxLightsIsTheOption) {
   std::unique_ptr<RenderContext> context;
   if (GetParam() == Dialect::core)
     context = std::make_unique<CoreContext>(8, 8, PixelFormat::rgba8, options);
-  else
-    context = std::make_unique<GlesContext>(8, 8, PixelFormat::rgba8, options);
+  else context = std::make_unique<GlesContext>(8, 8, PixelFormat::rgba8, options);
   GLint max_lights = 0;
   context->gl.GetIntegerv(GL_MAX_LIGHTS, &max_lights);
   EXPECT_EQ(max_lights, 200);

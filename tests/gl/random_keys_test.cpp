@@ -20,8 +20,8 @@ void compile_random_keys() {
   RandomKeys keys(700);
   for (int i = 0; i < 700; ++i) {
     const ProgramKey key = keys.next();
-    ASSERT_NE(programs.find_or_build(key, statistics), 0u)
-        << describe(key) << "\n" << programs.error();
+    ASSERT_NE(programs.find_or_build(key, statistics), 0u) << describe(key) << "\n"
+                                                           << programs.error();
   }
   EXPECT_EQ(statistics.programs_generated, statistics.programs_compiled);
 }

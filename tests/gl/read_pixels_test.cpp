@@ -116,16 +116,14 @@ bool words_agree(std::uint32_t a, std::uint32_t b, GLenum type) {
     case GL_FLOAT:  // sums of three, up to 3: two ulps there
       return std::abs(std::bit_cast<float>(a) - std::bit_cast<float>(b)) <= 0x1p-21F;
     case GL_INT:
-    case GL_UNSIGNED_INT:
-      return distance(a, b, 0, 32) <= kFloatUlps;
+    case GL_UNSIGNED_INT: return distance(a, b, 0, 32) <= kFloatUlps;
     case GL_UNSIGNED_INT_10_10_10_2:
       return distance(a, b, 22, 10) <= 1 && distance(a, b, 12, 10) <= 1 &&
              distance(a, b, 2, 10) <= 1 && distance(a, b, 0, 2) == 0;
     case GL_UNSIGNED_INT_2_10_10_10_REV:
       return distance(a, b, 0, 10) <= 1 && distance(a, b, 10, 10) <= 1 &&
              distance(a, b, 20, 10) <= 1 && distance(a, b, 30, 2) == 0;
-    default:
-      return false;
+    default: return false;
   }
 }
 

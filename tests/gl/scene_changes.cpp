@@ -56,7 +56,8 @@ void draw_scene(const GlFunctions& gl) {
   gl.Begin(GL_POINTS);
   gl.Vertex3f(-0.9f, 1.3f, 1.2f);
   gl.End();
-  // The initial current values: what tracks the current colour does not depend on how often this was drawn.
+  // The initial current values: what tracks the current colour does not depend on how often this
+  // was drawn.
   gl.Color4f(1, 1, 1, 1);
   gl.Normal3f(0, 0, 1);
 }
@@ -74,7 +75,8 @@ const std::vector<SceneChange>& scene_changes() {
       {"constant attenuation", [](Gl gl) { gl.Lightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 1.5f); }},
       {"spot cutoff", [](Gl gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 40); }},
       {"spot exponent", [](Gl gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_EXPONENT, 5); }},
-      {"spot direction", [](Gl gl) { light(gl, GL_LIGHT0, GL_SPOT_DIRECTION, 0.2f, -0.3f, -1, 0); }},
+      {"spot direction",
+       [](Gl gl) { light(gl, GL_LIGHT0, GL_SPOT_DIRECTION, 0.2f, -0.3f, -1, 0); }},
       {"no cutoff", [](Gl gl) { gl.Lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180); }},
       {"second light", [](Gl gl) { gl.Enable(GL_LIGHT1); }},
       {"first light off", [](Gl gl) { gl.Disable(GL_LIGHT0); }},
@@ -122,7 +124,11 @@ const std::vector<SceneChange>& scene_changes() {
       {"line width", [](Gl gl) { gl.LineWidth(3); }},
       {"viewport", [](Gl gl) { gl.Viewport(4, 2, 56, 60); }},
       {"lighting off", [](Gl gl) { gl.Disable(GL_LIGHTING); }},
-      {"color sum", [](Gl gl) { gl.Enable(GL_COLOR_SUM); gl.SecondaryColor3f(0.2f, 0.1f, 0); }},
+      {"color sum",
+       [](Gl gl) {
+         gl.Enable(GL_COLOR_SUM);
+         gl.SecondaryColor3f(0.2f, 0.1f, 0);
+       }},
       {"lighting on", [](Gl gl) { gl.Enable(GL_LIGHTING); }},
   };
   return changes;

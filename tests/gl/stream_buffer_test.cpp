@@ -61,7 +61,8 @@ TEST(StreamBuffer, VerticesOfManyDraws) {
       const float x = static_cast<float>(frame % 8) / 4 - 0.98F;
       const float y = static_cast<float>(frame / 8) / 2 - 0.98F;
       for (unsigned i = 0; i < kVertices; ++i)
-        positions[i] = {x + 0.0625F * static_cast<float>(i % 4), y + 0.0625F * static_cast<float>(i / 4 % 8), 0};
+        positions[i] = {x + 0.0625F * static_cast<float>(i % 4),
+                        y + 0.0625F * static_cast<float>(i / 4 % 8), 0};
       gl.Color3f(static_cast<float>(frame) / 31, 0.5F, 0.3F);
       gl.DrawElements(GL_POINTS, kVertices, GL_UNSIGNED_INT, indices.data());
     }

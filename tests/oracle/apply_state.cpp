@@ -32,28 +32,20 @@ void apply_material(const GlFunctions& gl, GLenum face, const Material& material
 
 GLenum name_of(ColorMaterial::Face face) {
   switch (face) {
-    case ColorMaterial::Face::front:
-      return GL_FRONT;
-    case ColorMaterial::Face::back:
-      return GL_BACK;
-    case ColorMaterial::Face::front_and_back:
-      return GL_FRONT_AND_BACK;
+    case ColorMaterial::Face::front: return GL_FRONT;
+    case ColorMaterial::Face::back: return GL_BACK;
+    case ColorMaterial::Face::front_and_back: return GL_FRONT_AND_BACK;
   }
   return GL_NONE;
 }
 
 GLenum name_of(ColorMaterial::Mode mode) {
   switch (mode) {
-    case ColorMaterial::Mode::ambient_and_diffuse:
-      return GL_AMBIENT_AND_DIFFUSE;
-    case ColorMaterial::Mode::ambient:
-      return GL_AMBIENT;
-    case ColorMaterial::Mode::diffuse:
-      return GL_DIFFUSE;
-    case ColorMaterial::Mode::specular:
-      return GL_SPECULAR;
-    case ColorMaterial::Mode::emission:
-      return GL_EMISSION;
+    case ColorMaterial::Mode::ambient_and_diffuse: return GL_AMBIENT_AND_DIFFUSE;
+    case ColorMaterial::Mode::ambient: return GL_AMBIENT;
+    case ColorMaterial::Mode::diffuse: return GL_DIFFUSE;
+    case ColorMaterial::Mode::specular: return GL_SPECULAR;
+    case ColorMaterial::Mode::emission: return GL_EMISSION;
   }
   return GL_NONE;
 }

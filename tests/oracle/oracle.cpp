@@ -171,18 +171,10 @@ Material tracked(const State& state, bool back, const Color& current) {
     case ColorMaterial::Mode::ambient_and_diffuse:
       material.ambient = material.diffuse = current;
       break;
-    case ColorMaterial::Mode::ambient:
-      material.ambient = current;
-      break;
-    case ColorMaterial::Mode::diffuse:
-      material.diffuse = current;
-      break;
-    case ColorMaterial::Mode::specular:
-      material.specular = current;
-      break;
-    case ColorMaterial::Mode::emission:
-      material.emission = current;
-      break;
+    case ColorMaterial::Mode::ambient: material.ambient = current; break;
+    case ColorMaterial::Mode::diffuse: material.diffuse = current; break;
+    case ColorMaterial::Mode::specular: material.specular = current; break;
+    case ColorMaterial::Mode::emission: material.emission = current; break;
   }
   return material;
 }

@@ -34,10 +34,8 @@ void GlesContext::destroy() {
 }
 
 void GlesContext::bind() {
-  if (!data_->egl)
-    data_->egl = std::make_unique<EglContext>(width(), height(), color_format());
-  else
-    data_->egl->bind();
+  if (!data_->egl) data_->egl = std::make_unique<EglContext>(width(), height(), color_format());
+  else data_->egl->bind();
   if (!data_->context)
     data_->context = std::make_unique<OwnedContext>(eglGetProcAddress, data_->options);
   data_->context->make_current();

@@ -26,8 +26,8 @@ class RandomKeys {
     key.back_only = key.two_side && chance(4);
     key.lighting_position = key.flat && chance(2);
     const bool specular = add_lights(key);
-    key.space = key.position4 ? LightingSpace::kEyeHomogeneous
-                              : static_cast<LightingSpace>(below(3));
+    key.space =
+        key.position4 ? LightingSpace::kEyeHomogeneous : static_cast<LightingSpace>(below(3));
     add_normals(key);
     for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face)
       for (unsigned property = 0; property < 5; ++property)
@@ -37,8 +37,8 @@ class RandomKeys {
     if (!specular) return key;
     key.local_viewer = chance(3);
     key.separate_specular = chance(3);
-    key.angle_error = key.space == LightingSpace::kObject &&
-                      key.normal != NormalMode::kNormalize && chance(3);
+    key.angle_error =
+        key.space == LightingSpace::kObject && key.normal != NormalMode::kNormalize && chance(3);
     for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face)
       key.integer_shininess[face] = key.material[face][4] == MaterialSource::kVertex || chance(3)
                                         ? kGeneralShininess
@@ -51,12 +51,9 @@ class RandomKeys {
   bool chance(unsigned n) { return below(n) == 0; }
 
   void add_normals(ProgramKey& key) {
-    if (chance(2))
-      key.normal = NormalMode::kNormalize;
-    else if (key.space != LightingSpace::kObject)
-      key.normal = NormalMode::kMatrix;
-    else
-      key.normal = chance(2) ? NormalMode::kAsIs : NormalMode::kScaled;
+    if (chance(2)) key.normal = NormalMode::kNormalize;
+    else if (key.space != LightingSpace::kObject) key.normal = NormalMode::kMatrix;
+    else key.normal = chance(2) ? NormalMode::kAsIs : NormalMode::kScaled;
   }
 
   bool add_lights(ProgramKey& key) {
@@ -67,7 +64,8 @@ class RandomKeys {
       if (chance(2)) {
         kind |= kLightPoint;
         if (chance(2)) kind |= kLightAttenuated;
-        if (chance(2)) kind |= static_cast<std::uint8_t>(kLightSpot | (chance(2) ? kLightSpotExponent : 0));
+        if (chance(2))
+          kind |= static_cast<std::uint8_t>(kLightSpot | (chance(2) ? kLightSpotExponent : 0));
         if (kind & (kLightAttenuated | kLightSpot) && chance(2)) kind |= kLightAmbient;
       }
       if (chance(2)) kind |= kLightSpecular;
