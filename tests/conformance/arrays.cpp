@@ -272,10 +272,10 @@ std::vector<Scene> arrays_scenes() {
   scenes.push_back(position_type_scene<GLint>("position_int_3", GL_INT, 3, 50000));
   scenes.push_back(position_type_scene<GLfloat>("position_float_4", GL_FLOAT, 4, 1));
   scenes.push_back(position_type_scene<GLdouble>("position_double_3", GL_DOUBLE, 3, 7));
-  // M11. GL 2.1 spec table 2.9 maps the byte c to (2c + 1) / 255, in arrays as in glColor3b. Mesa
+  // M14. GL 2.1 spec table 2.9 maps the byte c to (2c + 1) / 255, in arrays as in glColor3b. Mesa
   // does for glColor3b, but its arrays follow OpenGL 4.2, c / 127.
   Scene byte_colors = color_type_scene<GLbyte>("color_byte_3", GL_BYTE, 3, 127);
-  byte_colors.traits.mesa_departure = "M11";
+  byte_colors.traits.mesa_departure = "M14";
   byte_colors.traits.reference = draw_with_byte_colors;
   scenes.push_back(std::move(byte_colors));
   scenes.push_back(color_type_scene<GLubyte>("color_unsigned_byte_3", GL_UNSIGNED_BYTE, 3, 255));
@@ -290,7 +290,7 @@ std::vector<Scene> arrays_scenes() {
   // GL 2.1 spec table 2.9 maps the byte c to (2c + 1) / 255, in arrays as in glNormal3b. Mesa does
   // for glNormal3b, but its arrays follow OpenGL 4.2, c / 127.
   Scene byte_normals = normal_type_scene<GLbyte>("normal_byte", GL_BYTE, 127);
-  byte_normals.traits.mesa_departure = "M11";
+  byte_normals.traits.mesa_departure = "M14";
   byte_normals.traits.reference = draw_with_byte_normals;
   scenes.push_back(std::move(byte_normals));
   scenes.push_back(normal_type_scene<GLshort>("normal_short", GL_SHORT, 32767));

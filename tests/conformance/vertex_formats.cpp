@@ -166,7 +166,7 @@ std::vector<Scene> vertex_formats_scenes() {
         gl.Color4f(0, 0, 0, 0.2F);
         gl.Color3fv(scaled<GLfloat>(color, 1).data());
       });
-  color_3_after_color_4.traits.mesa_departure = "M12";
+  color_3_after_color_4.traits.mesa_departure = "M15";
   color_3_after_color_4.traits.reference =
       color_scene("", [](const GlFunctions& gl, const auto& color) {
         gl.Color3fv(scaled<GLfloat>(color, 1).data());
