@@ -34,10 +34,8 @@ enum class Storage { client, buffer };
 Scene mesh_scene(std::string name, Storage storage, bool lit,
                  std::function<void(const GlFunctions&, const Source& indices)> draw) {
   return {std::move(name), [=](const GlFunctions& gl) {
-            if (lit)
-              begin_lit_scene(gl);
-            else
-              begin_scene(gl);
+            if (lit) begin_lit_scene(gl);
+            else begin_scene(gl);
             gl.Rotatef(30, 1, 0, 0);
             const Mesh& mesh = shared_mesh();
             if (storage == Storage::client) {
@@ -221,10 +219,8 @@ Scene index_type_scene(std::string name, GLenum type) {
 Scene interleaved_scene(std::string name, GLenum format, bool lit,
                         std::function<void(std::vector<std::byte>*, const MeshVertex&)> append) {
   return {std::move(name), [=](const GlFunctions& gl) {
-            if (lit)
-              begin_lit_scene(gl);
-            else
-              begin_scene(gl);
+            if (lit) begin_lit_scene(gl);
+            else begin_scene(gl);
             std::vector<std::byte> data;
             for (const MeshVertex& vertex : shared_mesh().vertices) append(&data, vertex);
             gl.InterleavedArrays(format, 0, data.data());
