@@ -1,6 +1,7 @@
 #include "dlist/display_list.hpp"
 
 #include <cstring>
+#include <new>
 
 #include "immediate/draw_mesh.hpp"
 #include "immediate/list_mesh.hpp"
@@ -16,9 +17,7 @@ struct Header {
 constexpr std::size_t kHeaderWords = sizeof(Header) / sizeof(std::uint64_t);
 
 void play_mesh(legacy_gl_context& context, const void* payload) {
-  const ListMesh* mesh;
-  std::memcpy(&mesh, payload, sizeof mesh);
-  draw_mesh(context, *mesh);
+  draw_mesh(context, **static_cast<const ListMesh* const*>(payload));
 }
 
 }  // namespace
@@ -33,8 +32,8 @@ void* DisplayList::append(PlayFunction play, std::size_t size) {
 }
 
 void DisplayList::append_mesh(std::shared_ptr<const ListMesh> mesh) {
-  const ListMesh* const address = mesh.get();
-  std::memcpy(append(&play_mesh, sizeof address), &address, sizeof address);
+  static_assert(sizeof(void*) <= sizeof(std::uint64_t));
+  new (append(&play_mesh, sizeof(std::uint64_t))) const ListMesh*(mesh.get());
   meshes_.push_back(std::move(mesh));
 }
 

@@ -160,8 +160,9 @@ void ListWelder::append(ListMesh& mesh, const Primitive& primitive) {
   ListMesh::Draw& draw = mesh.draws.back();
   if (!indexed) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / stride);
-    mesh.vertices.insert(mesh.vertices.end(), primitive.vertices.begin(),
-                         primitive.vertices.begin() + static_cast<std::ptrdiff_t>(count * stride));
+    mesh.vertices.insert(
+        mesh.vertices.end(), primitive.vertices.begin(),
+        primitive.vertices.begin() + static_cast<std::ptrdiff_t>(std::size_t{count} * stride));
     mesh.firsts.push_back(static_cast<GLint>(first));
     mesh.counts.push_back(static_cast<GLsizei>(count));
     mesh.runs.push_back({primitive.mode, first, count, false});
