@@ -596,36 +596,3 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglWindowPos3s(GLshort, GLshort, GLshort) 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglWindowPos3sv(const GLshort *) {
   report_unbuilt("glWindowPos3sv");
 }
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGenQueries(GLsizei, GLuint *) {
-  report_unbuilt("glGenQueries");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteQueries(GLsizei, const GLuint *) {
-  report_unbuilt("glDeleteQueries");
-}
-
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsQuery(GLuint) {
-  report_unbuilt("glIsQuery");
-  return 0;
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBeginQuery(GLenum, GLuint) {
-  report_unbuilt("glBeginQuery");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglEndQuery(GLenum) {
-  report_unbuilt("glEndQuery");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetQueryiv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetQueryiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetQueryObjectiv(GLuint, GLenum, GLint *) {
-  report_unbuilt("glGetQueryObjectiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetQueryObjectuiv(GLuint, GLenum, GLuint *) {
-  report_unbuilt("glGetQueryObjectuiv");
-}

@@ -20,6 +20,7 @@ constexpr std::size_t kUniformRingBytes = std::size_t{1} << 20;
 Backend::Backend(const Driver& loaded)
     : driver(loaded),
       buffers_(driver),
+      queries_(driver),
       programs_(driver),
       vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes, StreamBuffer::Use::kOneDraw),
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes, StreamBuffer::Use::kOneDraw),

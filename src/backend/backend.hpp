@@ -8,6 +8,7 @@
 #include "backend/driver.hpp"
 #include "backend/mesh_buffers.hpp"
 #include "backend/program_cache.hpp"
+#include "backend/query_objects.hpp"
 #include "backend/raster.hpp"
 #include "backend/stream_buffer.hpp"
 #include "backend/vertex_arrays.hpp"
@@ -42,6 +43,7 @@ class Backend {
   bool has_logic_op() const { return driver.LogicOp != nullptr; }
 
   BufferObjects& buffers() { return buffers_; }
+  QueryObjects& queries() { return queries_; }
   void delete_buffer(GLuint name);
 
   /// Draws the enabled client arrays from the buffer objects that they lie in, without a copy.
@@ -72,6 +74,7 @@ class Backend {
   const void* write_indices(Context& context, const void* indices, std::size_t size);
 
   BufferObjects buffers_;
+  QueryObjects queries_;
   ProgramCache programs_;
   StreamBuffer vertices_;
   StreamBuffer indices_;

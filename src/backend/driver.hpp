@@ -14,6 +14,7 @@ namespace legacy_gl {
 #define LEGACY_GL_DRIVER_FUNCTIONS(X)                                         \
   X(ActiveTexture, ACTIVETEXTURE)                                             \
   X(AttachShader, ATTACHSHADER)                                               \
+  X(BeginQuery, BEGINQUERY)                                                   \
   X(BindBuffer, BINDBUFFER)                                                   \
   X(BindBufferBase, BINDBUFFERBASE)                                           \
   X(BindBufferRange, BINDBUFFERRANGE)                                         \
@@ -34,6 +35,7 @@ namespace legacy_gl {
   X(CullFace, CULLFACE)                                                       \
   X(DeleteBuffers, DELETEBUFFERS)                                             \
   X(DeleteProgram, DELETEPROGRAM)                                             \
+  X(DeleteQueries, DELETEQUERIES)                                             \
   X(DeleteShader, DELETESHADER)                                               \
   X(DeleteSync, DELETESYNC)                                                   \
   X(DeleteVertexArrays, DELETEVERTEXARRAYS)                                   \
@@ -46,11 +48,13 @@ namespace legacy_gl {
   X(DrawRangeElements, DRAWRANGEELEMENTS)                                     \
   X(Enable, ENABLE)                                                           \
   X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY)                         \
+  X(EndQuery, ENDQUERY)                                                       \
   X(FenceSync, FENCESYNC)                                                     \
   X(Finish, FINISH)                                                           \
   X(Flush, FLUSH)                                                             \
   X(FrontFace, FRONTFACE)                                                     \
   X(GenBuffers, GENBUFFERS)                                                   \
+  X(GenQueries, GENQUERIES)                                                   \
   X(GenVertexArrays, GENVERTEXARRAYS)                                         \
   X(GetError, GETERROR)                                                       \
   X(GetFloatv, GETFLOATV)                                                     \
@@ -58,6 +62,8 @@ namespace legacy_gl {
   X(GetIntegerv, GETINTEGERV)                                                 \
   X(GetProgramInfoLog, GETPROGRAMINFOLOG)                                     \
   X(GetProgramiv, GETPROGRAMIV)                                               \
+  X(GetQueryObjectuiv, GETQUERYOBJECTUIV)                                     \
+  X(GetQueryiv, GETQUERYIV)                                                   \
   X(GetShaderInfoLog, GETSHADERINFOLOG)                                       \
   X(GetShaderiv, GETSHADERIV)                                                 \
   X(GetString, GETSTRING)                                                     \
