@@ -40,14 +40,19 @@ std::optional<std::uint32_t> Backend::stream_vertices(Context& context, const Ar
   std::size_t offset = 0;
   auto* to = static_cast<std::byte*>(vertices_.map(count * stride, stride, offset));
   if (!to) return {};
-  // A block at a time: the driver's memory may be write-combined, where fields one by one are slow.
-  float_scratch_.resize(ArrayGather::kBlockVertices * gather.stride());
-  for (std::uint32_t done = 0; done < count;) {
-    const std::uint32_t block = std::min(ArrayGather::kBlockVertices, count - done);
-    gather(range.lowest + done, block, float_scratch_.data());
-    std::memcpy(to, float_scratch_.data(), block * stride);
-    to += block * stride;
-    done += block;
+  if (gather.writes_in_order()) {
+    gather(range.lowest, count, reinterpret_cast<float*>(to));
+  } else {
+    // A block at a time: the driver's memory may be write-combined, where fields one by one are
+    // slow.
+    float_scratch_.resize(ArrayGather::kBlockVertices * gather.stride());
+    for (std::uint32_t done = 0; done < count;) {
+      const std::uint32_t block = std::min(ArrayGather::kBlockVertices, count - done);
+      gather(range.lowest + done, block, float_scratch_.data());
+      std::memcpy(to, float_scratch_.data(), block * stride);
+      to += block * stride;
+      done += block;
+    }
   }
   vertices_.unmap();
   context.statistics.vertices += count;

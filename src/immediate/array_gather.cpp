@@ -1,6 +1,7 @@
 #include "immediate/array_gather.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "immediate/recorder.hpp"
 
@@ -17,6 +18,43 @@ ArrayGather::ArrayGather(const legacy_gl_context& context, const ArrayViews& vie
   if (layout.fields & kFieldSecondaryColor)
     add(views, kSecondaryColorArray, offsets.secondary_color, 3);
   if (layout.fields & kFieldEdgeFlag) add(views, kEdgeFlagArray, offsets.edge_flag, 1);
+  interleave_ = find_interleave();
+}
+
+template <unsigned... kSizes>
+void ArrayGather::interleave(const Field* fields, std::uint32_t first, std::uint32_t count,
+                             float* to) {
+  for (std::size_t i = first; i < std::size_t{first} + count; ++i) {
+    const Field* field = fields;
+    const auto copy = [&](unsigned size) {
+      std::memcpy(to, field->view->data + i * field->view->stride, size * sizeof(float));
+      to += size;
+      ++field;
+    };
+    (copy(kSizes), ...);
+  }
+}
+
+ArrayGather::Interleave ArrayGather::find_interleave() const {
+  if (provided_ < stride_) return nullptr;
+  unsigned sizes = 0;  // as decimal digits
+  for (unsigned i = 0; i < field_count_; ++i) {
+    const ArrayView& view = *fields_[i].view;
+    if (view.type != GL_FLOAT || view.size != fields_[i].size) return nullptr;
+    sizes = 10 * sizes + view.size;
+  }
+  switch (sizes) {
+    case 3: return &interleave<3>;
+    case 33: return &interleave<3, 3>;
+    case 34: return &interleave<3, 4>;
+    case 334: return &interleave<3, 3, 4>;
+    default: return nullptr;
+  }
+}
+
+bool ArrayGather::all_exist(std::uint64_t end) const {
+  return std::all_of(fields_.begin(), fields_.begin() + field_count_,
+                     [end](const Field& field) { return end <= field.view->readable; });
 }
 
 void ArrayGather::add(const ArrayViews& views, unsigned array, unsigned offset, unsigned size) {
@@ -28,6 +66,10 @@ void ArrayGather::add(const ArrayViews& views, unsigned array, unsigned offset, 
 }
 
 float* ArrayGather::operator()(std::uint32_t first, std::uint32_t count, float* to) const {
+  if (interleave_ && all_exist(std::uint64_t{first} + count)) {
+    interleave_(fields_.data(), first, count, to);
+    return to + count * stride_;
+  }
   while (count) {
     const std::uint32_t block = std::min(kBlockVertices, count);
     if (provided_ < stride_) Recorder::put_current(context_, layout_, to, block);

@@ -24,6 +24,8 @@ class ArrayGather {
 
   /// Floats of one vertex.
   std::size_t stride() const { return stride_; }
+  /// Each vertex is written whole, one after the other: good for memory that is not cached.
+  bool writes_in_order() const { return interleave_ != nullptr; }
 
  private:
   /// A field of the layout that an array provides; offset and size in floats.
@@ -32,6 +34,12 @@ class ArrayGather {
     ReadFunction read;
     unsigned offset, size;
   };
+  using Interleave = void (*)(const Field* fields, std::uint32_t first, std::uint32_t count,
+                              float* to);
+  template <unsigned... kSizes>
+  static void interleave(const Field* fields, std::uint32_t first, std::uint32_t count, float* to);
+  Interleave find_interleave() const;
+  bool all_exist(std::uint64_t end) const;
   void add(const ArrayViews& views, unsigned array, unsigned offset, unsigned size);
 
   const legacy_gl_context& context_;
@@ -40,6 +48,7 @@ class ArrayGather {
   std::array<Field, kArrayCount> fields_;
   unsigned field_count_ = 0;
   std::size_t provided_ = 0;
+  Interleave interleave_ = nullptr;  ///< for arrays that hold just the floats of the layout
 };
 
 /// Positions of four components whose w is 1 throughout need no w.
