@@ -35,23 +35,14 @@ function(legacy_gl_add_test target)
   endif()
 endfunction()
 
-# One process a program: starting Mesa under valgrind takes seconds.
+# One process a program: starting Mesa under valgrind takes seconds. The program runs under valgrind
+# as every program of the tests does then (tests/CMakeLists.txt).
 function(legacy_gl_add_valgrind_test target filter labels)
   if(NOT filter)
     set(filter "*")
   elseif(filter STREQUAL "-*")
     return()
   endif()
-  find_program(LEGACY_GL_VALGRIND_PROGRAM valgrind REQUIRED)
-  add_test(
-    NAME ${target}
-    COMMAND
-      ${LEGACY_GL_VALGRIND_PROGRAM} --quiet --error-exitcode=99 --leak-check=full
-      --suppressions=${PROJECT_SOURCE_DIR}/tests/support/valgrind.supp $<TARGET_FILE:${target}>
-      --gtest_filter=${filter})
-  # softpipe interprets shaders. llvmpipe's machine code comes from no file, so that valgrind could
-  # not tell a report about it from one about ours; and it starts three times slower.
-  set_tests_properties(
-    ${target} PROPERTIES LABELS "${labels}" TIMEOUT 1800 ENVIRONMENT
-                                                         "GALLIUM_DRIVER=softpipe;DRAW_USE_LLVM=0")
+  add_test(NAME ${target} COMMAND ${target} --gtest_brief=1 --gtest_filter=${filter})
+  set_tests_properties(${target} PROPERTIES LABELS "${labels}" TIMEOUT 1800)
 endfunction()
