@@ -1,8 +1,8 @@
 # The results of the conformance tests (tests/conformance/results.hpp has the columns), sorted, to the
 # Markdown of docs/conformance_scenes.md.
 
-function cell(dialect, scene,    key) {
-  key = dialect SUBSEP scene
+function cell(dialect, scene, format,    key) {
+  key = dialect SUBSEP scene SUBSEP format
   if (!(key in differing)) return "not run"
   if (result[key] != "pass") return "**" steps[key] "/255, " differing[key] " px**"
   if (differing[key] == 0) return "identical"
@@ -10,34 +10,36 @@ function cell(dialect, scene,    key) {
 }
 
 function row(scene) {
-  return cell("core_330", scene) " | " cell("core_330", scene "_float") " | " \
-    cell("es_300", scene) " | " cell("es_300", scene "_float")
+  return cell("core_330", scene, "RGBA8") " | " cell("core_330", scene, "float") " | " \
+    cell("es_300", scene, "RGBA8") " | " cell("es_300", scene, "float")
 }
 
 {
-  key = $1 SUBSEP $2 "/" $3
-  steps[key] = sprintf("%.3g", $5)
-  differing[key] = $6
-  result[key] = $7
+  dialect = $1; feature = $2; name = $3; format = $4
+  scene = feature "/" name
+  key = dialect SUBSEP scene SUBSEP format
+  steps[key] = sprintf("%.3g", $6)
+  differing[key] = $7
+  result[key] = $8
 
-  random = $2 ~ /^random_state/
-  group = $1 SUBSEP (random ? "random" : "scene") SUBSEP ($3 ~ /_float$/ ? "float" : "RGBA8")
+  random = feature ~ /^random_state/
+  group = dialect SUBSEP (random ? "random" : "scene") SUBSEP format
   compared[group]++
-  if ($6 == 0) identical[group]++
-  if ($7 == "pass") passed[group]++
-  if ($5 + 0 > largest[group] + 0) largest[group] = $5
+  if ($7 == 0) identical[group]++
+  if ($8 == "pass") passed[group]++
+  if ($6 + 0 > largest[group] + 0) largest[group] = $6
 
-  if (random || $3 ~ /_float$/ || ($2 "/" $3) in judge) next
-  judge[$2 "/" $3] = $4
-  if (!($2 in scenes)) features[++feature_count] = $2
-  scenes[$2, ++scenes[$2]] = $3
+  if (random || scene in judge) next
+  judge[scene] = $5
+  if (!(feature in scenes)) features[++feature_count] = feature
+  scenes[feature, ++scenes[feature]] = name
 }
 
 END {
   print "# Conformance, scene by scene\n"
   print "Written by `scripts/conformance`. Each scene of `tests/conformance` is drawn by Mesa's fixed function"
   print "and by this library with the same calls, and the images are compared: RGBA8 within one step in every"
-  print "pixel, float colours within 0.02/255, coverage identical. Where the judge is a row M1 to M9 of"
+  print "pixel, float colours within 0.02/255, coverage identical. Where the judge is a row M of"
   print "`docs/deviations.md`, Mesa departs from the specification: the library's image is compared with Mesa's"
   print "of an equivalent scene that Mesa gets right.\n"
   print "| dialect | images | colours | compared | within tolerance | bit-identical | largest difference |"

@@ -35,8 +35,7 @@ void PrintTo(const Block& block, std::ostream* out) {
 
 class RandomStates : public testing::TestWithParam<Block> {
  protected:
-  void compare_states(PixelFormat format, int step, float tolerance_steps,
-                      const std::string& suffix) {
+  void compare_states(PixelFormat format, int step, float tolerance_steps) {
     const auto [dialect, first] = GetParam();
     RenderPair& pair = render_pair(dialect, random_state_size, format);
     int images_written = 0;
@@ -48,17 +47,19 @@ class RandomStates : public testing::TestWithParam<Block> {
       const Comparison comparison = compare(ours, mesa);
       const bool passed =
           comparison.max_difference() <= tolerance_steps && comparison.same_coverage();
-      const std::string name = "state_" + std::to_string(index) + suffix;
-      record_result({dialect_name(dialect), "random_state_" + std::to_string(first), name, "Mesa",
-                     comparison.max_difference(), comparison.differing_pixels, passed});
+      const std::string name = "state_" + std::to_string(index);
+      record_result({dialect_name(dialect), "random_state_" + std::to_string(first), name, format,
+                     "Mesa", comparison.max_difference(), comparison.differing_pixels, passed});
       if (passed) continue;
       // Five pictures show what is wrong; the summary names the rest.
       if (++images_written > 5) {
-        ADD_FAILURE() << name << ": " << comparison.max_difference() << "/255";
+        ADD_FAILURE() << name << " " << format_name(format) << ": " << comparison.max_difference()
+                      << "/255";
         continue;
       }
-      EXPECT_TRUE(images_match(ours, mesa, {.max_difference_steps = tolerance_steps},
-                               std::string(dialect_name(dialect)) + "-" + name));
+      EXPECT_TRUE(images_match(
+          ours, mesa, {.max_difference_steps = tolerance_steps},
+          std::string(dialect_name(dialect)) + "-" + name + "-" + format_name(format)));
     }
     EXPECT_EQ(covered, block_size / step) << "every state draws something";
   }
@@ -73,11 +74,11 @@ class RandomStates : public testing::TestWithParam<Block> {
 };
 
 // The tolerances are those of conformance_test.cpp, for the same reasons.
-TEST_P(RandomStates, Rgba8WithinOneStep) { compare_states(PixelFormat::rgba8, 1, 1.0F, ""); }
+TEST_P(RandomStates, Rgba8WithinOneStep) { compare_states(PixelFormat::rgba8, 1, 1.0F); }
 
 // One state of each structure's four values, and a few.
 TEST_P(RandomStates, FloatColorsWithinFiftiethOfAStep) {
-  compare_states(PixelFormat::rgba32f, 5, 0.02F, "_float");
+  compare_states(PixelFormat::rgba32f, 5, 0.02F);
 }
 
 INSTANTIATE_TEST_SUITE_P(core_330, RandomStates, testing::ValuesIn(blocks(Dialect::core_330)),

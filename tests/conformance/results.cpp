@@ -32,9 +32,9 @@ class WriteResults final : public testing::Environment {
       const std::string name = result.dialect + "." + result.feature + ".tsv";
       if (files.count(name) == 0) files.emplace(name, directory + "/" + name);
       files.at(name) << result.dialect << '\t' << result.feature << '\t' << result.scene << '\t'
-                     << result.judge << '\t' << result.max_difference_steps << '\t'
-                     << result.differing_pixels << '\t' << (result.passed ? "pass" : "FAIL")
-                     << '\n';
+                     << format_name(result.format) << '\t' << result.judge << '\t'
+                     << result.max_difference_steps << '\t' << result.differing_pixels << '\t'
+                     << (result.passed ? "pass" : "FAIL") << '\n';
       identical += result.differing_pixels == 0 ? 1 : 0;
       passed += result.passed ? 1 : 0;
     }
@@ -43,8 +43,9 @@ class WriteResults final : public testing::Environment {
     for (const Result& result : results())
       if (!result.passed)
         std::cout << "  FAIL " << result.dialect << " " << result.feature << " " << result.scene
-                  << ": largest difference " << result.max_difference_steps << "/255, "
-                  << result.differing_pixels << " pixels\n";
+                  << " " << format_name(result.format) << ": largest difference "
+                  << result.max_difference_steps << "/255, " << result.differing_pixels
+                  << " pixels\n";
   }
 };
 
@@ -52,6 +53,10 @@ class WriteResults final : public testing::Environment {
     testing::AddGlobalTestEnvironment(new WriteResults);
 
 }  // namespace
+
+const char* format_name(PixelFormat format) {
+  return format == PixelFormat::rgba8 ? "RGBA8" : "float";
+}
 
 void record_result(const Result& result) { results().push_back(result); }
 

@@ -5,12 +5,15 @@
 
 #include <string>
 
+#include "support/image.hpp"
+
 namespace legacy_gl::test {
 
 struct Result {
   std::string dialect;
   std::string feature;
   std::string scene;
+  PixelFormat format = PixelFormat::rgba8;
   std::string judge;  // "Mesa", or the row of the specification's departure
   float max_difference_steps = 0;
   int differing_pixels = 0;
@@ -18,5 +21,8 @@ struct Result {
 };
 
 void record_result(const Result& result);
+
+// "RGBA8" or "float".
+const char* format_name(PixelFormat format);
 
 }  // namespace legacy_gl::test

@@ -24,11 +24,6 @@ struct SceneTraits {
   std::string mesa_departure = {};
   Draw reference = {};
 
-  // Why, on a dialect, a few pixels legitimately differ from Mesa's fixed function, and how many at
-  // most. Empty reason: none may.
-  std::string es300_difference_reason = {};
-  int es300_differing_pixels = 0;
-
   // Fewer than four colours by intention (unlit flat figures, saturated light).
   bool few_colors = false;
   // Draws nothing by intention: the background itself is what is tested.
