@@ -3,6 +3,7 @@
 
 #include <legacy_gl/context.h>
 
+#include <ostream>
 #include <span>
 #include <string>
 
@@ -28,6 +29,10 @@ struct StressClass {
   // bound is reached, so that this mark goes.
   bool open = false;
 };
+
+inline void PrintTo(const StressClass& stress_class, std::ostream* out) {
+  *out << stress_class.name;
+}
 
 std::span<const StressClass> stress_classes();
 
