@@ -3,8 +3,8 @@
  *
  *     legacy_gl_status status;
  *     legacy_gl_context *context = legacy_gl_create_context(loader, NULL, &status);
- *     if (!context) fprintf(stderr, "%s: %s\n", legacy_gl_status_string(status),
- * legacy_gl_status_detail()); legacy_gl_make_current(context);
+ *     if (!context) puts(legacy_gl_status_detail());
+ *     legacy_gl_make_current(context);
  *
  * Threads: one current context a thread; a context is current in at most one thread. Every function
  * that reaches the driver expects the driver context that was current at creation to be current in
@@ -25,15 +25,13 @@ extern "C" {
 typedef struct legacy_gl_context legacy_gl_context;
 
 typedef void (*legacy_gl_proc)(void);
-/** The driver's get-proc-address: OSMesaGetProcAddress, eglGetProcAddress, SDL_GL_GetProcAddress,
- * ... */
+/** The driver's get-proc-address, for example OSMesaGetProcAddress or eglGetProcAddress. */
 typedef legacy_gl_proc (*legacy_gl_loader)(const char* name);
 
 typedef enum legacy_gl_status {
   LEGACY_GL_OK = 0,
   LEGACY_GL_INVALID_ARGUMENT,  /**< a NULL loader, or an option out of its range */
-  LEGACY_GL_NO_DRIVER_CONTEXT, /**< the driver answers no version: no context of its own is current
-                                */
+  LEGACY_GL_NO_DRIVER_CONTEXT, /**< the driver answers no version: no context is current */
   LEGACY_GL_DRIVER_TOO_OLD,    /**< below GL 3.3 and below GLES 3.0 */
   LEGACY_GL_MISSING_FUNCTION,  /**< the loader has no address for a function that is needed */
   LEGACY_GL_SHADER_FAILURE,    /**< the driver refused a generated program */
@@ -44,9 +42,8 @@ typedef enum legacy_gl_status {
 /** What one call's lighting may cost, and how wrong it may be: docs/accuracy.md has the figures. */
 typedef enum legacy_gl_quality {
   LEGACY_GL_QUALITY_DEFAULT = 0,
-  LEGACY_GL_QUALITY_FASTEST, /**< error bounded by 0.25/255 */
-  LEGACY_GL_QUALITY_PRECISE, /**< ten times as accurate as Mesa's fixed function, up to twice its
-                                time */
+  LEGACY_GL_QUALITY_FASTEST,     /**< error bounded by 0.25/255 */
+  LEGACY_GL_QUALITY_PRECISE,     /**< ten times as accurate as Mesa, at up to twice its time */
   LEGACY_GL_QUALITY_PER_FRAGMENT /**< Phong interpolation: the same equation in every fragment */
 } legacy_gl_quality;
 
@@ -79,8 +76,7 @@ typedef struct legacy_gl_statistics {
   uint64_t lights_skipped;        /**< enabled lights that a draw left out since they add nothing */
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
-  uint64_t
-      primitives_clipped; /**< list draws skipped since their bounds are outside the view volume */
+  uint64_t primitives_clipped;    /**< list draws skipped: their bounds are outside the view */
 } legacy_gl_statistics;
 
 /** Creates a context over the driver's current context. NULL options: defaults. On failure returns

@@ -2,11 +2,13 @@
  * legacy_gl/gl.h.
  *
  * Implemented: matrices (chapter 4), error and version strings (2.1, 8), quadrics (chapter 6).
- * Not here:    image scaling and mipmaps (3), tessellation (5), NURBS (7). They are not declared,
- * so that a program that needs them fails to compile instead of failing to draw. Differs: nothing
- * known in what is drawn. Every call hands the GL the same numbers in the same order as
- * libGLU 9.0.2, except where libGLU reads uninitialised memory: flat normals of GLU_POINT quadrics
- * (the smooth normals here) and of GLU_SILHOUETTE quadrics (those of GLU_LINE here).
+ *
+ * Not here: image scaling and mipmaps (3), tessellation (5), NURBS (7). They are not declared, so
+ * that a program that needs them fails to compile instead of failing to draw.
+ *
+ * Differs: nothing known in what is drawn. Every call hands the GL the same numbers in the same
+ * order as libGLU 9.0.2, except where libGLU reads uninitialised memory: flat normals of GLU_POINT
+ * quadrics (the smooth normals here) and of GLU_SILHOUETTE quadrics (those of GLU_LINE here).
  *
  * Each gluX is declared as lgluX, and gluX is mapped to it unless LEGACY_GL_NO_NAMES is defined.
  * The header may be included together with <GL/glu.h>, in either order.
