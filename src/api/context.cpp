@@ -30,8 +30,9 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   if (options.max_lights > kMaxLights || (options.max_lights && options.max_lights < 8))
     return fail(LEGACY_GL_INVALID_ARGUMENT,
                 "max_lights is " + std::to_string(options.max_lights) + ", not 8 to 256");
-  if (options.quality != LEGACY_GL_QUALITY_DEFAULT)
-    return fail(LEGACY_GL_INVALID_ARGUMENT, "this quality is not built yet: only the default is");
+  if (options.quality != LEGACY_GL_QUALITY_DEFAULT && options.quality != LEGACY_GL_QUALITY_PRECISE)
+    return fail(LEGACY_GL_INVALID_ARGUMENT,
+                "this quality is not built yet: only the default and precise are");
   Driver driver;
   std::string detail;
   switch (load_driver(driver, loader, detail)) {

@@ -71,6 +71,14 @@ void Backend::upload_uniforms(Context& context) {
   upload_stale_blocks(context);
 }
 
+void Backend::upload_with_tail(Context& context, UniformBlock block, const void* head,
+                               std::size_t head_size, const void* tail, std::size_t tail_size) {
+  block_scratch_.resize(head_size + tail_size);
+  std::memcpy(block_scratch_.data(), head, head_size);
+  if (tail_size) std::memcpy(block_scratch_.data() + head_size, tail, tail_size);
+  upload_block(context, block, block_scratch_.data(), block_scratch_.size());
+}
+
 void Backend::upload_stale_blocks(Context& context) {
   if (derived_.stale[kTransformBlock])
     upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform);
@@ -81,15 +89,13 @@ void Backend::upload_stale_blocks(Context& context) {
   for (unsigned face = 0; face < (derived_.key.two_side ? 2u : 1u); ++face) {
     if (!derived_.stale[kFrontBlock + face]) continue;
     const FaceUniforms& uniforms = derived_.faces[face];
-    const std::size_t product_bytes = uniforms.products.size() * sizeof(LightProducts);
-    block_scratch_.resize(sizeof uniforms.head + product_bytes);
-    std::memcpy(block_scratch_.data(), &uniforms.head, sizeof uniforms.head);
-    if (product_bytes)
-      std::memcpy(block_scratch_.data() + sizeof uniforms.head, uniforms.products.data(),
-                  product_bytes);
-    upload_block(context, static_cast<UniformBlock>(kFrontBlock + face), block_scratch_.data(),
-                 block_scratch_.size());
+    upload_with_tail(context, static_cast<UniformBlock>(kFrontBlock + face), &uniforms.head,
+                     sizeof uniforms.head, uniforms.products.data(),
+                     uniforms.products.size() * sizeof(LightProducts));
   }
+  if (derived_.stale[kPreciseBlock] && derived_.key.quality == Quality::kPrecise)
+    upload_with_tail(context, kPreciseBlock, &derived_.precise, sizeof derived_.precise,
+                     derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow));
 }
 
 void Backend::prepare(Context& context, const VertexLayout& layout) {

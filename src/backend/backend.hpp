@@ -63,6 +63,8 @@ class Backend {
   /// Draws the batch when it has polygons, which become lines or points; otherwise false.
   bool draw_unfilled(Context& context);
   void upload_uniforms(Context& context);
+  void upload_with_tail(Context& context, UniformBlock block, const void* head,
+                        std::size_t head_size, const void* tail, std::size_t tail_size);
   void upload_stale_blocks(Context& context);
   void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size);
   void bind_vertex_array(GLuint array);

@@ -21,6 +21,12 @@ glm::vec4 finite(const glm::dvec3& v, double w) {
   return {finite(v.x), finite(v.y), finite(v.z), finite(w)};
 }
 
+/// What float32 rounds off; 0 of a value that is not finite.
+glm::vec4 low(const glm::dvec3& v, double w) {
+  const glm::dvec4 rest = glm::dvec4(v, w) - glm::dvec4(finite(v, w));
+  return std::isfinite(rest.x + rest.y + rest.z + rest.w) ? glm::vec4(rest) : glm::vec4(0);
+}
+
 glm::dvec3 unit(const glm::dvec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);
@@ -58,6 +64,10 @@ bool folds_into_scene(std::uint8_t kind) { return !(kind & (kLightAttenuated | k
 bool shininess_comes_with_vertices(const ProgramKey& key) {
   return key.material[kFront][kShininess] == MaterialSource::kVertex ||
          key.material[kBack][kShininess] == MaterialSource::kVertex;
+}
+
+bool is_precise(const Context& context) {
+  return context.options.quality == LEGACY_GL_QUALITY_PRECISE;
 }
 
 /// How long a unit normal is after the normal matrix and GL_RESCALE_NORMAL, under a modelview that
@@ -112,11 +122,12 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     choose_space(context, layout);
     if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
       choose_lights(context);
+    key.quality = is_precise(context) && key.light_count() ? Quality::kPrecise : Quality::kDefault;
     key.angle_error = has_specular(key) && key.space == LightingSpace::kObject && !linear_.exact &&
                       key.normal != NormalMode::kNormalize;
   }
   const bool space_changed = before.space != key.space || before.normal != key.normal ||
-                             before.angle_error != key.angle_error;
+                             before.angle_error != key.angle_error || before.quality != key.quality;
   if (dirty & kDirtyTransform || space_changed) fill_transform(context);
   if (!key.lit) return;
   const bool lights_changed = !(before == key);
@@ -138,7 +149,10 @@ void Derived::update_transform(Context& context) {
 void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
   if (!affine_ || key.position4) key.space = LightingSpace::kEyeHomogeneous;
-  else key.space = linear_.keeps_angles ? LightingSpace::kObject : LightingSpace::kEyeAxes;
+  else
+    key.space = linear_.keeps_angles && (linear_.exact || !is_precise(context))
+                    ? LightingSpace::kObject
+                    : LightingSpace::kEyeAxes;
 
   const bool in_object_space = key.space == LightingSpace::kObject;
   normal_length_ = 1;
@@ -241,7 +255,8 @@ void Derived::choose_lights(Context& context) {
   key.integer_shininess = {};
   for (unsigned face = 0; specular && face < face_count(key); ++face) {
     const float shininess = lighting.materials[face].shininess;
-    const bool whole = shininess == std::floor(shininess) && shininess >= 0 && shininess <= 128;
+    const bool whole = !is_precise(context) && shininess == std::floor(shininess) &&
+                       shininess >= 0 && shininess <= 128;
     key.integer_shininess[face] =
         whole && key.material[face][kShininess] == MaterialSource::kUniform
             ? static_cast<std::uint8_t>(shininess)
@@ -283,14 +298,26 @@ void Derived::fill_transform(const Context& context) {
       if (local) viewer = glm::dvec3(0);
       break;
   }
-  transform.viewer = finite(viewer, length_of_unit_normal(context, linear_));
+  const double normal_scale = length_of_unit_normal(context, linear_);
+  transform.viewer = finite(viewer, normal_scale);
+  if (key.quality == Quality::kPrecise) {
+    stale[kPreciseBlock] = true;
+    for (int column = 0; column < 4; ++column)
+      precise.modelview[column] =
+          low(glm::dvec3(modelview.exact[column]), modelview.exact[column].w);
+    for (int column = 0; column < 3; ++column)
+      precise.normal_matrix[static_cast<unsigned>(column)] = low(normal_matrix[column], 0);
+    precise.viewer = low(viewer, normal_scale);
+  }
   for (int column = 0; column < 3; ++column)
     transform.angle_error[static_cast<unsigned>(column)] = finite(linear_.angle_error[column], 0);
 }
 
 void Derived::fill_lights(const Context& context) {
   stale[kLightsBlock] = true;
+  stale[kPreciseBlock] = true;
   lights.clear();
+  lights_low.clear();
   const glm::dvec3 translation(context.transform.modelview.top().exact[3]);
   const bool in_object_space = key.space == LightingSpace::kObject;
   const double scale = in_object_space ? linear_.scale : 1;
@@ -302,16 +329,19 @@ void Derived::fill_lights(const Context& context) {
     if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
     const Light& light = context.lighting.lights[active.index];
     LightUniforms uniforms;
+    LightLow uniforms_low;
     const glm::dvec3 position(light.position_eye);
     if (is_directional(light)) {
       const glm::dvec3 to_light = unit(position);
       uniforms.position = finite(rotation * to_light, 0);
+      uniforms_low.position = low(rotation * to_light, 0);
       const glm::dvec3 half_vector = rotation * unit(to_light + glm::dvec3(0, 0, 1));
       uniforms.half_vector = finite(half_vector, 0);
       uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
     } else {
-      const glm::dvec3 point = position / light.position_eye.w;
-      uniforms.position = finite(rotation * (point - origin) / scale, 1);
+      const glm::dvec3 point = rotation * (position / light.position_eye.w - origin) / scale;
+      uniforms.position = finite(point, 1);
+      uniforms_low.position = low(point, 1);
       const double k0 = static_cast<double>(light.constant_attenuation);
       const double k1 = static_cast<double>(light.linear_attenuation) * scale;
       const double k2 = static_cast<double>(light.quadratic_attenuation) * scale * scale;
@@ -326,13 +356,16 @@ void Derived::fill_lights(const Context& context) {
         // for that of two unit vectors that are opposite.
         const double limit =
             std::max(2 * std::sin(half_cutoff) * std::sin(half_cutoff) * (1 + 3e-7), 1e-13);
-        uniforms.spot_direction = finite(rotation * unit(light.spot_direction_eye), limit);
+        const glm::dvec3 axis = rotation * unit(light.spot_direction_eye);
+        uniforms.spot_direction = finite(axis, limit);
+        uniforms_low.spot_direction = low(axis, limit);
       } else {
         uniforms.spot_direction = {0, 0, 0, 4};
         uniforms.attenuation.w = 0;
       }
     }
     lights.push_back(uniforms);
+    if (key.quality == Quality::kPrecise) lights_low.push_back(uniforms_low);
   }
 }
 

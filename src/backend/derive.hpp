@@ -35,7 +35,9 @@ class Derived {
   TransformUniforms transform;
   std::vector<LightUniforms> lights;
   std::array<FaceUniforms, 2> faces;
-  std::array<bool, kUniformBlockCount> stale{true, true, true, true};
+  PreciseUniforms precise;  ///< this and lights_low only in the precise quality
+  std::vector<LightLow> lights_low;
+  std::array<bool, kUniformBlockCount> stale{true, true, true, true, true};
 
  private:
   void update_transform(Context& context);

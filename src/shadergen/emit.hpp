@@ -22,6 +22,17 @@ void emit_lighting_space(Writer& w, const ProgramKey& key);
 /// back_specular where the key has them. Reads `vertex` and `n`.
 void emit_lights(Writer& w, const ProgramKey& key);
 
+// The same steps in pairs of floats (the precise quality).
+void emit_precise_functions(Writer& w, const ProgramKey& key);
+void emit_precise_space(Writer& w, const ProgramKey& key);
+void emit_precise_viewer(Writer& w, const ProgramKey& key);
+/// Leaves Two to_light; of a point light also Two delta, and `distance` or `chord` where the kind
+/// reads them.
+void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
+                           const std::string& index);
+void emit_precise_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
+                              const std::string& index);
+
 /// The material property of a face as a GLSL expression: "" where it is in the blocks' products
 /// already.
 std::string material_expression(const ProgramKey& key, unsigned face, unsigned property);

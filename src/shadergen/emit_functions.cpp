@@ -33,9 +33,9 @@ constexpr const char* kUnit = R"(vec3 unit(vec3 v) {
 
 )";
 
-constexpr const char* kPowerOfComplement =
-    R"(// (1 - q)^s; 0^0 is 1. The logarithm's series takes its argument from q itself, which 1 - q has rounded.
-float power_of_complement(float q, float s) {
+constexpr const char* kLog2OfComplement =
+    R"(// log2(1 - q). The series takes its argument from q itself, which 1 - q has rounded.
+float log2_of_complement(float q) {
   float x = max(1.0 - q, 1e-37);
   int bits = floatBitsToInt(x);
   int exponent = (bits - 0x3f3504f3) >> 23;
@@ -44,7 +44,28 @@ float power_of_complement(float q, float s) {
   float g = f * f;
   float log2_mantissa =
       f * (2.88539008 + g * (0.961796694 + g * (0.577078016 + g * (0.412198583 + g * 0.320598898))));
-  float power = exp2(s * (float(exponent) + log2_mantissa));
+  return float(exponent) + log2_mantissa;
+}
+
+)";
+
+constexpr const char* kPowerOfComplement = R"(// (1 - q)^s; 0^0 is 1
+float power_of_complement(float q, float s) {
+  float power = exp2(s * log2_of_complement(q));
+  return q < 1.0 ? power : (s == 0.0 ? 1.0 : 0.0);
+}
+
+)";
+
+constexpr const char* kPrecisePowerOfComplement =
+    R"(// (1 - q)^s; 0^0 is 1. Drivers' exp2 may have no more than 20 bits, this series has all.
+float power_of_complement(float q, float s) {
+  float t = clamp(s * log2_of_complement(q), -126.0, 126.0);
+  float whole = floor(t + 0.5);
+  float f = t - whole;
+  float power = 1.0 + f * (0.693147181 + f * (0.240226507 + f * (0.0555041087 + f * (0.00961812911 +
+                f * (0.00133335581 + f * (0.000154035304 + f * 0.0000152527338))))));
+  power *= intBitsToFloat((int(whole) + 127) << 23);
   return q < 1.0 ? power : (s == 0.0 ? 1.0 : 0.0);
 }
 
@@ -73,10 +94,15 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
       specular && (key.integer_shininess[0] == kGeneralShininess ||
                    (key.two_side && key.integer_shininess[1] == kGeneralShininess));
   const bool half_vectors = specular && (key.local_viewer || any_light(key, kLightPoint));
-  if (key.normal == NormalMode::kNormalize || half_vectors) w.raw(kUnit);
-  if (general_shininess || any_light(key, kLightSpotExponent)) w.raw(kPowerOfComplement);
+  const bool precise = key.quality == Quality::kPrecise;
+  if (precise) emit_precise_functions(w, key);
+  else if (key.normal == NormalMode::kNormalize || half_vectors) w.raw(kUnit);
+  if (general_shininess || any_light(key, kLightSpotExponent)) {
+    w.raw(kLog2OfComplement);
+    w.raw(precise ? kPrecisePowerOfComplement : kPowerOfComplement);
+  }
   if (!specular) return;
-  w.raw(kComplement);
+  if (!precise) w.raw(kComplement);
   if (key.integer_shininess[0] != kGeneralShininess)
     emit_integer_shine(w, "front_shine", key.integer_shininess[0]);
   if (key.two_side && key.integer_shininess[1] != kGeneralShininess)
@@ -93,6 +119,14 @@ void emit_lighting_blocks(Writer& w, const ProgramKey& key) {
     w.line("};");
     w.blank();
     w.raw(kProductsStructText);
+  }
+  if (key.quality == Quality::kPrecise) {
+    w.raw(kLightLowStructText);
+    w.line("layout(std140) uniform Precise {");
+    w.raw(kPreciseBlockHeadText);
+    w.line("  LightLow lights_low" + size + ";");
+    w.line("};");
+    w.blank();
   }
   for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face) {
     const std::string side = face ? "back" : "front";

@@ -32,21 +32,23 @@ void emit_scene(Writer& w, const ProgramKey& key, unsigned face) {
 }
 
 /// GL 2.1 spec 2.14.1: the vector to the light, attenuation and spot factor.
-void emit_point_geometry(Writer& w, std::uint8_t kind, const std::string& light) {
+void emit_to_light(Writer& w, std::uint8_t kind, const std::string& light) {
   w.line("vec3 delta = " + light + ".position.xyz - vertex;");
   w.line("float distance_squared = max(dot(delta, delta), 1e-37);");
   w.line("float inverse_distance = inversesqrt(distance_squared);");
   w.line("vec3 to_light = delta * inverse_distance;");
+  if (kind & kLightAttenuated) w.line("float distance = distance_squared * inverse_distance;");
+  // The chord form keeps its digits where the cosine, near 1, loses them.
+  if (kind & kLightSpot) w.line("vec3 chord = to_light + " + light + ".spot_direction.xyz;");
+}
+
+void emit_strength(Writer& w, std::uint8_t kind, const std::string& light) {
   if (kind & kLightAttenuated) {
     w.line("vec3 k = " + light + ".attenuation.xyz;");
-    w.line(
-        "float strength = 1.0 / max(k.x + k.y * (distance_squared * inverse_distance) + k.z * "
-        "distance_squared, 1e-37);");
+    w.line("float strength = 1.0 / max(k.x + distance * (k.y + distance * k.z), 1e-37);");
   }
   if (kind & kLightSpot) {
     const std::string target = kind & kLightAttenuated ? "strength *= " : "float strength = ";
-    // The chord form keeps its digits where the cosine, near 1, loses them.
-    w.line("vec3 chord = to_light + " + light + ".spot_direction.xyz;");
     w.line("float one_minus_cosine = 0.5 * dot(chord, chord);");
     const std::string inside =
         kind & kLightSpotExponent
@@ -63,13 +65,22 @@ void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
   else w.line("vec3 h = " + light + ".half_vector.xyz;");
 }
 
-std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
-                  const std::string& light) {
+/// 1 - dot(n, h) of a face.
+std::string complement(const ProgramKey& key, std::uint8_t kind, unsigned face,
+                       const std::string& light) {
   const std::string half_excess = key.normal == NormalMode::kNormalize ? "0.0" : "half_excess";
+  if (key.quality == Quality::kPrecise)
+    return std::string("complement(") + (face ? "Two(-n.hi, -n.lo)" : "n") + ", h, " + half_excess +
+           ")";
   const std::string n = face ? "-n" : "n";
   std::string chord = n + " - h";
   if (!(kind & kLightPoint) && !key.local_viewer) chord += " - " + light + ".attenuation.xyz";
-  const std::string q = "complement(" + chord + ", " + n + ", h, " + half_excess + ")";
+  return "complement(" + chord + ", " + n + ", h, " + half_excess + ")";
+}
+
+std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
+                  const std::string& light) {
+  const std::string q = complement(key, kind, face, light);
   if (key.integer_shininess[face] != kGeneralShininess)
     return std::string(kSide[face]) + "_shine(" + q + ")";
   return "power_of_complement(" + q + ", " +
@@ -115,6 +126,7 @@ bool has_specular(const ProgramKey& key) {
 /// (|n|^2 - 1) / 2 without the rounding of |n|^2: the high halves have 12 bits, their products are
 /// exact.
 void emit_half_excess(Writer& w, const ProgramKey& key) {
+  if (key.quality == Quality::kPrecise) return w.line("float half_excess = excess(n);");
   w.line("vec3 high = floor(n * 2048.0) * (1.0 / 2048.0);");
   w.line("vec3 low = n - high;");
   w.line("float half_excess = 0.5 * ((dot(high, high) - 1.0) + dot(low, high + n));");
@@ -123,10 +135,15 @@ void emit_half_excess(Writer& w, const ProgramKey& key) {
 
 void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& index) {
   const std::string light = "lights[" + index + "]";
-  if (kind & kLightPoint) emit_point_geometry(w, kind, light);
+  const bool precise = key.quality == Quality::kPrecise;
+  if (precise) emit_precise_to_light(w, key, kind, index);
+  else if (kind & kLightPoint) emit_to_light(w, kind, light);
   else w.line("vec3 to_light = " + light + ".position.xyz;");
-  if (kind & (kLightDiffuse | kLightSpecular)) w.line("float n_dot_l = dot(n, to_light);");
-  if (kind & kLightSpecular) emit_half_vector(w, key, kind, light);
+  if (kind & kLightPoint) emit_strength(w, kind, light);
+  if (kind & (kLightDiffuse | kLightSpecular))
+    w.line(std::string("float n_dot_l = ") + (precise ? "two_dot" : "dot") + "(n, to_light);");
+  if (kind & kLightSpecular && precise) emit_precise_half_vector(w, key, kind, index);
+  else if (kind & kLightSpecular) emit_half_vector(w, key, kind, light);
   for (unsigned face = 0; face < face_count(key); ++face) emit_terms(w, key, kind, face, index);
 }
 
@@ -142,6 +159,7 @@ std::string material_expression(const ProgramKey& key, unsigned face, unsigned p
 }
 
 void emit_lighting_space(Writer& w, const ProgramKey& key) {
+  if (key.quality == Quality::kPrecise) return emit_precise_space(w, key);
   const std::string position = key.lighting_position ? "lighting_position" : "position";
   switch (key.space) {
     case LightingSpace::kObject: w.line("vec3 vertex = " + position + ".xyz;"); break;
@@ -166,7 +184,8 @@ void emit_lighting_space(Writer& w, const ProgramKey& key) {
 void emit_lights(Writer& w, const ProgramKey& key) {
   for (unsigned face = 0; face < face_count(key); ++face) emit_scene(w, key, face);
   if (has_specular(key) && key.normal != NormalMode::kNormalize) emit_half_excess(w, key);
-  if (key.local_viewer) w.line("vec3 to_viewer = unit(viewer.xyz - vertex);");
+  if (key.quality == Quality::kPrecise) emit_precise_viewer(w, key);
+  else if (key.local_viewer) w.line("vec3 to_viewer = unit(viewer.xyz - vertex);");
 
   // Eight lights unroll; more loop, a kind at a time.
   const bool unroll = key.light_count() <= 8;

@@ -40,8 +40,14 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
 }
 
 /// What goes from the vertex to the fragment: the colours of both faces, and secondary colours.
-void emit_varyings(Writer& w, const ProgramKey& key, const char* direction) {
-  const std::string start = std::string(key.flat ? "flat " : "") + direction;
+void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
+                   const std::string& direction) {
+  // A driver may drop what only rounding makes of an expression, but not on the way to an invariant
+  // output. GLSL 3.30 wants both ends to say so, OpenGL ES the output alone.
+  const bool exact =
+      key.quality == Quality::kPrecise && (direction == "out" || dialect == Dialect::kCore330);
+  const std::string start =
+      std::string(exact ? "invariant " : "") + (key.flat ? "flat " : "") + direction;
   w.line(start + " vec4 front_color;");
   if (key.two_side) w.line(start + " vec4 back_color;");
   if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
@@ -73,7 +79,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.blank();
   if (key.lit) emit_lighting_blocks(w, key);
   emit_inputs(w, key);
-  emit_varyings(w, key, "out");
+  emit_varyings(w, key, dialect, "out");
   // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own
   // depth.
   w.line("invariant gl_Position;");
@@ -101,7 +107,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
 std::string fragment_shader(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "fragment");
-  emit_varyings(w, key, "in");
+  emit_varyings(w, key, dialect, "in");
   w.blank();
   w.line("layout(location = 0) out vec4 fragment_color;");
   w.blank();

@@ -38,7 +38,8 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
-  mix(hash, static_cast<std::size_t>(key.space) << 8 | static_cast<std::size_t>(key.normal));
+  mix(hash, static_cast<std::size_t>(key.space) << 16 | static_cast<std::size_t>(key.normal) << 8 |
+                static_cast<std::size_t>(key.quality));
   for (const auto& face : key.material)
     for (const MaterialSource source : face) mix(hash, static_cast<std::size_t>(source));
   for (const std::uint8_t shininess : key.integer_shininess) mix(hash, shininess);
@@ -61,6 +62,7 @@ std::string describe(const ProgramKey& key) {
     }
   }
   if (key.normal == NormalMode::kNormalize) append(text, "normalize");
+  if (key.quality == Quality::kPrecise) append(text, "precise");
   if (key.two_side) append(text, "two-sided");
   if (key.local_viewer) append(text, "local viewer");
   if (key.separate_specular) append(text, "separate specular");

@@ -43,6 +43,12 @@ enum class NormalMode : std::uint8_t {
   kNormalize  ///< made unit length in the shader; in eye axes after the normal matrix
 };
 
+/// How lighting is computed.
+enum class Quality : std::uint8_t {
+  kDefault,
+  kPrecise  ///< in pairs of floats
+};
+
 /// Where a material property comes from.
 enum class MaterialSource : std::uint8_t { kUniform, kColor, kVertex };
 
@@ -65,6 +71,7 @@ struct ProgramKey {
   bool depth_offset = false;       ///< unfilled with polygon offset
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;
+  Quality quality = Quality::kDefault;
   /// [face][ambient, diffuse, specular, emission, shininess]
   std::array<std::array<MaterialSource, 5>, 2> material{};
   /// Shininess of each face: 0 to 128 is raised by repeated squaring, kGeneralShininess by exp2 and

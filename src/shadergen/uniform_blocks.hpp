@@ -15,10 +15,11 @@ enum UniformBlock : unsigned {
   kLightsBlock,
   kFrontBlock,
   kBackBlock,
+  kPreciseBlock,
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
-    "Transform", "Lights", "FrontMaterial", "BackMaterial"};
+    "Transform", "Lights", "FrontMaterial", "BackMaterial", "Precise"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
@@ -60,6 +61,30 @@ inline constexpr const char* kLightStructText = R"(struct Light {
 };
 )";
 static_assert(sizeof(LightUniforms) == 64);
+
+/// What float32 rounded off the blocks above; heads Precise, and a LightLow of each light follows.
+struct PreciseUniforms {
+  glm::mat4 modelview{0.0f};
+  std::array<glm::vec4, 3> normal_matrix{};
+  glm::vec4 viewer{0};
+};
+inline constexpr const char* kPreciseBlockHeadText =
+    R"(  mat4 modelview_low;  // what float32 rounded off
+  mat3 normal_matrix_low;
+  vec4 viewer_low;
+)";
+static_assert(offsetof(PreciseUniforms, normal_matrix) == 64);
+static_assert(sizeof(PreciseUniforms) == 128);
+
+struct LightLow {
+  glm::vec4 position{0}, spot_direction{0};
+};
+inline constexpr const char* kLightLowStructText = R"(struct LightLow {
+  vec4 position;
+  vec4 spot_direction;
+};
+)";
+static_assert(sizeof(LightLow) == 32);
 
 /// A light's colours times the material's; the light's own colour where the material comes with the
 /// vertex.

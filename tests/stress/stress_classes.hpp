@@ -25,8 +25,7 @@ struct StressClass {
   legacy_gl_quality quality = LEGACY_GL_QUALITY_DEFAULT;
   // The samples lie exactly on a jump of the equation, where the specification takes a side.
   bool on_a_jump = false;
-  // The bound is not reached yet. The test then asks for the finiteness only, and fails once the
-  // bound is reached, so that this mark goes.
+  // The bound is not reached by every quality yet: only finiteness is asked for.
   bool open = false;
 };
 

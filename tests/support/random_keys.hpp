@@ -34,13 +34,15 @@ class RandomKeys {
         if (chance(4))
           key.material[face][property] =
               property == 4 || chance(2) ? MaterialSource::kVertex : MaterialSource::kColor;
+    if (key.light_count() && chance(3)) key.quality = Quality::kPrecise;
     if (!specular) return key;
     key.local_viewer = chance(3);
     key.separate_specular = chance(3);
     key.angle_error =
         key.space == LightingSpace::kObject && key.normal != NormalMode::kNormalize && chance(3);
     for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face)
-      key.integer_shininess[face] = key.material[face][4] == MaterialSource::kVertex || chance(3)
+      key.integer_shininess[face] = key.material[face][4] == MaterialSource::kVertex ||
+                                            key.quality == Quality::kPrecise || chance(3)
                                         ? kGeneralShininess
                                         : static_cast<std::uint8_t>(below(129));
     return key;
