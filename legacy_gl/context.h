@@ -47,6 +47,16 @@ typedef enum legacy_gl_quality {
   LEGACY_GL_QUALITY_PER_FRAGMENT /**< Phong interpolation: the same equation in every fragment */
 } legacy_gl_quality;
 
+/** Programs are generated for the state they draw. The first use of a state is drawn by a general
+ * program, whose colours agree within half a step of 8 bits and whose positions agree to the bit;
+ * the specialised one is compiled when the state has drawn enough to be worth it. */
+typedef enum legacy_gl_programs {
+  LEGACY_GL_PROGRAMS_DEFAULT = 0, /**< LEGACY_GL_PROGRAMS_GENERAL_FIRST */
+  LEGACY_GL_PROGRAMS_GENERAL_FIRST,
+  LEGACY_GL_PROGRAMS_SPECIALISED, /**< always the specialised one: a first use waits for it */
+  LEGACY_GL_PROGRAMS_GENERAL      /**< never specialised: slowest to draw, soonest to start */
+} legacy_gl_programs;
+
 /** Called once for each thing that a program asks for and this library does not do. `message` is
  * valid during the call. */
 typedef void (*legacy_gl_diagnostic)(const char* message, void* user);
@@ -57,6 +67,7 @@ typedef struct legacy_gl_options {
   legacy_gl_quality quality;
   legacy_gl_diagnostic diagnostic; /**< NULL: stderr */
   void* diagnostic_user;
+  legacy_gl_programs programs;
   legacy_gl_context* share; /**< display lists are shared with this context; NULL: with none */
 } legacy_gl_options;
 
@@ -64,6 +75,7 @@ typedef struct legacy_gl_options {
 typedef struct legacy_gl_statistics {
   uint64_t programs_generated; /**< program variants turned into GLSL text */
   uint64_t programs_compiled;  /**< programs compiled and linked by the driver */
+  uint64_t general_draws;      /**< draws that a general program stood in for */
   uint64_t program_switches;
   uint64_t draws;    /**< draw calls handed to the driver */
   uint64_t batches;  /**< groups of primitives that shared one state */

@@ -33,6 +33,9 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   if (options.quality != LEGACY_GL_QUALITY_DEFAULT && options.quality != LEGACY_GL_QUALITY_PRECISE)
     return fail(LEGACY_GL_INVALID_ARGUMENT,
                 "this quality is not built yet: only the default and precise are");
+  if (options.programs < LEGACY_GL_PROGRAMS_DEFAULT ||
+      options.programs > LEGACY_GL_PROGRAMS_GENERAL)
+    return fail(LEGACY_GL_INVALID_ARGUMENT, "programs is not one of legacy_gl_programs");
   Driver driver;
   std::string detail;
   switch (load_driver(driver, loader, detail)) {
@@ -42,7 +45,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
     case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
   }
   context = std::make_unique<Context>(options);
-  context->backend = std::make_unique<Backend>(driver);
+  context->backend = std::make_unique<Backend>(driver, options.programs);
   if (options.share) context->lists.names = options.share->lists.names;
   // Table 6.x: viewport and scissor box start as the size of the window, which the driver knows.
   driver.GetIntegerv(GL_VIEWPORT, context->raster.viewport.box.data());

@@ -17,11 +17,11 @@ constexpr std::size_t kUniformRingBytes = std::size_t{1} << 20;
 
 }  // namespace
 
-Backend::Backend(const Driver& loaded)
+Backend::Backend(const Driver& loaded, legacy_gl_programs programs)
     : driver(loaded),
       buffers_(driver),
       queries_(driver),
-      programs_(driver),
+      programs_(driver, programs),
       vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes, StreamBuffer::Use::kOneDraw),
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes, StreamBuffer::Use::kOneDraw),
       uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes, StreamBuffer::Use::kManyDraws),
@@ -52,11 +52,11 @@ void Backend::apply_raster(Context& context) {
   raster_.apply(driver, context.raster);
 }
 
-void Backend::upload_block(Context& context, UniformBlock block, const void* data,
-                           std::size_t size) {
-  const std::size_t offset = uniforms_.write(data, size, uniform_alignment_);
+void Backend::upload_block(Context& context, UniformBlock block, const void* data, std::size_t size,
+                           std::size_t room) {
+  const std::size_t offset = uniforms_.write(data, size, uniform_alignment_, room);
   driver.BindBufferRange(GL_UNIFORM_BUFFER, block, uniforms_.name(), static_cast<GLintptr>(offset),
-                         static_cast<GLsizeiptr>(size));
+                         static_cast<GLsizeiptr>(room));
   derived_.stale[block] = false;
   context.statistics.uniform_bytes_uploaded += size;
   ++context.statistics.uniform_block_updates;
@@ -72,30 +72,41 @@ void Backend::upload_uniforms(Context& context) {
 }
 
 void Backend::upload_with_tail(Context& context, UniformBlock block, const void* head,
-                               std::size_t head_size, const void* tail, std::size_t tail_size) {
+                               std::size_t head_size, const void* tail, std::size_t tail_size,
+                               std::size_t room) {
   block_scratch_.resize(head_size + tail_size);
   std::memcpy(block_scratch_.data(), head, head_size);
   if (tail_size) std::memcpy(block_scratch_.data() + head_size, tail, tail_size);
-  upload_block(context, block, block_scratch_.data(), block_scratch_.size());
+  upload_block(context, block, block_scratch_.data(), block_scratch_.size(),
+               std::max(room, block_scratch_.size()));
 }
 
 void Backend::upload_stale_blocks(Context& context) {
   if (derived_.stale[kTransformBlock])
-    upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform);
+    upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform,
+                 sizeof derived_.transform);
   if (!derived_.key.lit) return;
-  if (derived_.stale[kLightsBlock] && !derived_.lights.empty())
+  const bool general = general_program_;
+  if (general && derived_.stale[kGeneralBlock])
+    upload_block(context, kGeneralBlock, &derived_.general, sizeof derived_.general,
+                 sizeof derived_.general);
+  // Programs that are not made for this number of lights have arrays of a power of two.
+  std::size_t capacity = kGeneralLights;
+  while (capacity < derived_.lights.size()) capacity *= 2;
+  if (derived_.stale[kLightsBlock] && (general || !derived_.lights.empty()))
     upload_block(context, kLightsBlock, derived_.lights.data(),
-                 derived_.lights.size() * sizeof(LightUniforms));
+                 derived_.lights.size() * sizeof(LightUniforms), capacity * sizeof(LightUniforms));
   for (unsigned face = 0; face < (derived_.key.two_side ? 2u : 1u); ++face) {
     if (!derived_.stale[kFrontBlock + face]) continue;
     const FaceUniforms& uniforms = derived_.faces[face];
     upload_with_tail(context, static_cast<UniformBlock>(kFrontBlock + face), &uniforms.head,
                      sizeof uniforms.head, uniforms.products.data(),
-                     uniforms.products.size() * sizeof(LightProducts));
+                     uniforms.products.size() * sizeof(LightProducts),
+                     sizeof uniforms.head + capacity * sizeof(LightProducts));
   }
   if (derived_.stale[kPreciseBlock] && derived_.key.quality == Quality::kPrecise)
     upload_with_tail(context, kPreciseBlock, &derived_.precise, sizeof derived_.precise,
-                     derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow));
+                     derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow), 0);
 }
 
 void Backend::prepare(Context& context, const VertexLayout& layout) {
@@ -104,14 +115,15 @@ void Backend::prepare(Context& context, const VertexLayout& layout) {
   apply_raster(context);
 }
 
-bool Backend::use_program(Context& context, bool points) {
+bool Backend::use_program(Context& context, bool points, std::uint64_t vertices) {
+  if (!points) return use_program(context, derived_.key, vertices);
   ProgramKey key = derived_.key;
   key.points = points;
-  return use_program(context, key);
+  return use_program(context, key, vertices);
 }
 
-bool Backend::use_program(Context& context, const ProgramKey& key) {
-  const GLuint program = programs_.find_or_build(key, context.statistics);
+bool Backend::use_program(Context& context, const ProgramKey& key, std::uint64_t vertices) {
+  const auto [program, general] = programs_.choose(key, vertices, context.statistics);
   if (!program) {
     diagnose(context, "the driver refused a generated program: " + programs_.error());
     return false;
@@ -121,6 +133,8 @@ bool Backend::use_program(Context& context, const ProgramKey& key) {
     bound_program_ = program;
     ++context.statistics.program_switches;
   }
+  general_program_ = general;
+  if (general) upload_uniforms(context);
   return true;
 }
 
@@ -177,7 +191,7 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
     } while (end < runs.size() && core_mode(runs[end].mode) == mode &&
              needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)));
     at = end;
-    if (!use_program(context, mode == GL_POINTS)) continue;
+    if (!use_program(context, mode == GL_POINTS, recorder.vertex_count())) continue;
     if (indexed) {
       const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);
       const std::size_t offset = indices_.write(index_scratch_.data(), size, sizeof(std::uint32_t));

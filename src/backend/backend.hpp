@@ -23,7 +23,7 @@ struct ElementRange;
 /// The driver's side of a context: everything here may call the real GL, and nothing else may.
 class Backend {
  public:
-  explicit Backend(const Driver& loaded);
+  Backend(const Driver& loaded, legacy_gl_programs programs);
 
   /// Draws the recorder's batch and clears it.
   void draw_recorded(Context& context);
@@ -57,16 +57,20 @@ class Backend {
 
  private:
   void prepare(Context& context, const VertexLayout& layout);
-  bool use_program(Context& context, bool points);
+  /// False when the driver has refused it. The general block is uploaded where it is read.
+  bool use_program(Context& context, bool points, std::uint64_t vertices);
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
-  bool use_program(Context& context, const ProgramKey& key);
+  bool use_program(Context& context, const ProgramKey& key, std::uint64_t vertices);
   /// Draws the batch when it has polygons, which become lines or points; otherwise false.
   bool draw_unfilled(Context& context);
   void upload_uniforms(Context& context);
   void upload_with_tail(Context& context, UniformBlock block, const void* head,
-                        std::size_t head_size, const void* tail, std::size_t tail_size);
+                        std::size_t head_size, const void* tail, std::size_t tail_size,
+                        std::size_t room);
   void upload_stale_blocks(Context& context);
-  void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size);
+  /// The block is bound with room for `room` bytes, as programs with longer arrays ask for.
+  void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size,
+                    std::size_t room);
   void bind_vertex_array(GLuint array);
   void draw_runs(Context& context, std::uint32_t base_vertex);
   std::uint32_t upload_vertices(Context& context);
@@ -87,6 +91,7 @@ class Backend {
   RasterApplier raster_;
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
+  bool general_program_ = false;  ///< the program in use reads the general block
   GLuint bound_program_ = 0;
   GLuint bound_array_ = 0;
   std::vector<std::uint32_t> index_scratch_;

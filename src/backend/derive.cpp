@@ -96,6 +96,14 @@ std::uint8_t widest_kind(std::uint8_t kind) {
   return kLightPoint | kLightAttenuated | kLightSpot | kLightSpotExponent | kLightAmbient | kTerms;
 }
 
+/// Directional lights, then point lights, then spots: a general program treats each class in turn.
+/// Within a class equal kinds are neighbours.
+bool by_kind(const ActiveLight& a, const ActiveLight& b) {
+  const unsigned class_a = a.kind & (kLightPoint | kLightSpot);
+  const unsigned class_b = b.kind & (kLightPoint | kLightSpot);
+  return class_a != class_b ? class_a < class_b : a.kind > b.kind;
+}
+
 }  // namespace
 
 void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
@@ -134,6 +142,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
   if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
     fill_faces(context);
+  if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_general(context);
 }
 
 void Derived::update_transform(Context& context) {
@@ -224,8 +233,7 @@ void Derived::choose_lights(Context& context) {
     if (ambient || diffuse || specular) active_.push_back(active);
     else ++context.statistics.lights_skipped;
   }
-  std::stable_sort(active_.begin(), active_.end(),
-                   [](const ActiveLight& a, const ActiveLight& b) { return a.kind > b.kind; });
+  std::stable_sort(active_.begin(), active_.end(), by_kind);
 
   constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
   const auto build_runs = [&] {
@@ -244,8 +252,7 @@ void Derived::choose_lights(Context& context) {
   };
   if (!build_runs()) {
     for (ActiveLight& light : active_) light.kind = widest_kind(light.kind);
-    std::stable_sort(active_.begin(), active_.end(),
-                     [](const ActiveLight& a, const ActiveLight& b) { return a.kind > b.kind; });
+    std::stable_sort(active_.begin(), active_.end(), by_kind);
     build_runs();
   }
 
@@ -386,7 +393,8 @@ void Derived::fill_faces(const Context& context) {
       };
       const double shine_of_length =
           std::pow(normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
-      uniforms.products.push_back({product(kAmbient, light.ambient, 1),
+      const bool ambient = active.kind & kLightAmbient;
+      uniforms.products.push_back({ambient ? product(kAmbient, light.ambient, 1) : glm::vec4(0),
                                    product(kDiffuse, light.diffuse, normal_length_),
                                    product(kSpecular, light.specular, shine_of_length)});
     }
@@ -398,6 +406,29 @@ void Derived::fill_faces(const Context& context) {
     uniforms.head.scene = finite(scene, static_cast<double>(material.diffuse.a));
     uniforms.head.ambient_light = finite(ambient_light, static_cast<double>(material.shininess));
   }
+}
+
+/// From the values of the other blocks, which are filled.
+void Derived::fill_general(const Context& context) {
+  stale[kGeneralBlock] = true;
+  general = {};
+  if (key.space != LightingSpace::kObject) general.lighting_matrix = transform.modelview;
+  if (key.space == LightingSpace::kEyeAxes) general.lighting_matrix[3] = {0, 0, 0, 1};
+  const bool by_matrix =
+      key.normal == NormalMode::kMatrix ||
+      (key.normal == NormalMode::kNormalize && key.space != LightingSpace::kObject);
+  const float scale = key.normal == NormalMode::kScaled ? transform.viewer.w : 1.0f;
+  for (unsigned i = 0; i < 3; ++i) {
+    general.normal_matrix[i][static_cast<int>(i)] = scale;
+    if (by_matrix) general.normal_matrix[i] = transform.normal_matrix[i];
+  }
+  for (const ActiveLight& active : active_) {
+    if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
+    ++general.light_ends.z;
+    if (!(active.kind & kLightPoint)) ++general.light_ends.x;
+    if (!(active.kind & kLightSpot)) ++general.light_ends.y;
+  }
+  general.modes = {key.normal == NormalMode::kNormalize, context.lighting.model.local_viewer, 0, 0};
 }
 
 }  // namespace legacy_gl

@@ -37,7 +37,8 @@ class Derived {
   std::array<FaceUniforms, 2> faces;
   PreciseUniforms precise;  ///< this and lights_low only in the precise quality
   std::vector<LightLow> lights_low;
-  std::array<bool, kUniformBlockCount> stale{true, true, true, true, true};
+  GeneralUniforms general;
+  std::array<bool, kUniformBlockCount> stale{true, true, true, true, true, true};
 
  private:
   void update_transform(Context& context);
@@ -47,6 +48,7 @@ class Derived {
   void fill_transform(const Context& context);
   void fill_lights(const Context& context);
   void fill_faces(const Context& context);
+  void fill_general(const Context& context);
 
   LinearPart linear_;
   bool affine_ = true;

@@ -33,7 +33,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
     driver.VertexAttrib4fv(kLocationSecondaryColor, &current.secondary_color[0]);
 
   for (const ListMesh::Draw& draw : mesh.draws) {
-    if (!use_program(context, draw.mode == GL_POINTS)) continue;
+    if (!use_program(context, draw.mode == GL_POINTS, mesh.vertex_count())) continue;
     const auto count = static_cast<GLsizei>(draw.count);
     ++context.statistics.draws;
     if (draw.indexed) {

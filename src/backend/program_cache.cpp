@@ -1,21 +1,72 @@
 #include "backend/program_cache.hpp"
 
+#include "shadergen/general.hpp"
 #include "shadergen/generate.hpp"
 #include "shadergen/uniform_blocks.hpp"
 
 namespace legacy_gl {
 
+namespace {
+
+/// Vertices times lights that a general program draws before it has cost about as much more time as
+/// a compilation takes: with this for each program and for all together, what is spent is at most
+/// twice what the best choice in hindsight would spend.
+constexpr std::uint64_t kWorthCompiling = 1'000'000;
+
+}  // namespace
+
 ProgramCache::~ProgramCache() {
-  for (const auto& [key, program] : programs_) driver_.DeleteProgram(program);
+  for (const auto& [key, entry] : programs_) driver_.DeleteProgram(entry.program);
+}
+
+ProgramCache::Entry& ProgramCache::find(const ProgramKey& key) {
+  if (last_ && key == last_key_) return *last_;
+  last_key_ = key;
+  last_ = &programs_[key];  // stays where it is while others are added
+  return *last_;
+}
+
+void ProgramCache::build_entry(const ProgramKey& key, Entry& entry,
+                               legacy_gl_statistics& statistics) {
+  entry.built = true;
+  entry.program = build(key, statistics);
 }
 
 GLuint ProgramCache::find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics) {
-  if (last_program_ && key == last_key_) return last_program_;
-  auto at = programs_.find(key);
-  if (at == programs_.end()) at = programs_.emplace(key, build(key, statistics)).first;
-  last_key_ = key;
-  last_program_ = at->second;
-  return at->second;
+  Entry& entry = find(key);
+  if (!entry.built) build_entry(key, entry, statistics);
+  return entry.program;
+}
+
+bool ProgramCache::worth_it(const ProgramKey& key, std::uint64_t vertices, Entry& entry) {
+  if (policy_ == LEGACY_GL_PROGRAMS_GENERAL) return false;
+  const bool again = entry.work > 0;  // what is drawn once is not worth a program of its own
+  const std::uint64_t work = vertices * (key.light_count() + 1);
+  entry.work += work;
+  work_since_last_build_ += work;
+  if (!again || entry.work < kWorthCompiling || work_since_last_build_ < kWorthCompiling)
+    return false;
+  work_since_last_build_ = 0;
+  return true;
+}
+
+ProgramCache::Choice ProgramCache::choose(const ProgramKey& key, std::uint64_t vertices,
+                                          legacy_gl_statistics& statistics) {
+  Entry& entry = find(key);
+  if (entry.built) return {entry.program, false};
+  if (!entry.general && policy_ != LEGACY_GL_PROGRAMS_SPECIALISED) {
+    if (const ProgramKey general = generalise(key); general != key) {
+      const GLuint program = find_or_build(general, statistics);
+      last_ = nullptr;
+      entry.general = program;
+    }
+  }
+  if (!entry.general || worth_it(key, vertices, entry)) {
+    build_entry(key, entry, statistics);
+    return {entry.program, false};
+  }
+  ++statistics.general_draws;
+  return {entry.general, true};
 }
 
 GLuint ProgramCache::compile(GLenum stage, const std::string& text) {

@@ -12,23 +12,44 @@ namespace legacy_gl {
 /// Programs by key. A hit allocates nothing; asking for the last one again compares one key.
 class ProgramCache {
  public:
-  explicit ProgramCache(const Driver& driver) : driver_(driver) {}
+  explicit ProgramCache(const Driver& driver,
+                        legacy_gl_programs policy = LEGACY_GL_PROGRAMS_SPECIALISED)
+      : driver_(driver), policy_(policy) {}
   ~ProgramCache();
   ProgramCache(const ProgramCache&) = delete;
   ProgramCache& operator=(const ProgramCache&) = delete;
 
-  /// The program's name; 0 when the driver refuses it, with the reason in error().
+  struct Choice {
+    GLuint program = 0;  ///< 0: the driver refuses it, with the reason in error()
+    bool general = false;
+  };
+  /// The program for a draw of so many vertices: the specialised one where it exists, is asked for,
+  /// or has become worth it; until then a general one.
+  Choice choose(const ProgramKey& key, std::uint64_t vertices, legacy_gl_statistics& statistics);
+
+  /// The specialised program's name; 0 when the driver refuses it, with the reason in error().
   GLuint find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics);
   const std::string& error() const { return error_; }
 
  private:
+  struct Entry {
+    bool built = false;
+    GLuint program = 0;
+    GLuint general = 0;      ///< of the key's general program, which other entries share
+    std::uint64_t work = 0;  ///< what the general program drew in its place
+  };
+  Entry& find(const ProgramKey& key);
+  void build_entry(const ProgramKey& key, Entry& entry, legacy_gl_statistics& statistics);
+  bool worth_it(const ProgramKey& key, std::uint64_t vertices, Entry& entry);
   GLuint build(const ProgramKey& key, legacy_gl_statistics& statistics);
   GLuint compile(GLenum stage, const std::string& text);
 
   const Driver& driver_;
-  std::unordered_map<ProgramKey, GLuint, ProgramKeyHash> programs_;
+  legacy_gl_programs policy_;
+  std::unordered_map<ProgramKey, Entry, ProgramKeyHash> programs_;
   ProgramKey last_key_;
-  GLuint last_program_ = 0;
+  Entry* last_ = nullptr;
+  std::uint64_t work_since_last_build_ = 0;
   std::string error_;
 };
 

@@ -71,18 +71,24 @@ std::size_t StreamBuffer::segment_of(std::size_t end) const {
   return end == 0 ? 0 : std::min((end - 1) / (size_ / kSegments), kSegments - 1);
 }
 
-void* StreamBuffer::map(std::size_t size, std::size_t alignment, std::size_t& offset) {
-  offset = allocate(size, alignment);
+void* StreamBuffer::map_at(std::size_t offset, std::size_t size) {
   return driver_.MapBufferRange(
       target_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size),
       GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
 }
 
+void* StreamBuffer::map(std::size_t size, std::size_t alignment, std::size_t& offset) {
+  offset = allocate(size, alignment);
+  return map_at(offset, size);
+}
+
 void StreamBuffer::unmap() { driver_.UnmapBuffer(target_); }
 
-std::size_t StreamBuffer::write(const void* data, std::size_t size, std::size_t alignment) {
-  std::size_t offset = 0;
-  if (void* const target = map(size, alignment, offset)) {
+std::size_t StreamBuffer::write(const void* data, std::size_t size, std::size_t alignment,
+                                std::size_t room) {
+  const std::size_t offset = allocate(room, alignment);
+  if (size == 0) return offset;
+  if (void* const target = map_at(offset, size)) {
     std::memcpy(target, data, size);
     unmap();
   } else {

@@ -23,7 +23,11 @@ class StreamBuffer {
 
   /// Copies `size` bytes to an offset that is a multiple of `alignment`; returns that offset. The
   /// buffer is bound to the target afterwards.
-  std::size_t write(const void* data, std::size_t size, std::size_t alignment);
+  std::size_t write(const void* data, std::size_t size, std::size_t alignment) {
+    return write(data, size, alignment, size);
+  }
+  /// Of `room` bytes, the first `size` are written.
+  std::size_t write(const void* data, std::size_t size, std::size_t alignment, std::size_t room);
 
   /// Room of `size` bytes to write through a pointer; close with unmap().
   void* map(std::size_t size, std::size_t alignment, std::size_t& offset);
@@ -37,6 +41,7 @@ class StreamBuffer {
   static constexpr std::size_t kSegments = 4;
 
   std::size_t allocate(std::size_t size, std::size_t alignment);
+  void* map_at(std::size_t offset, std::size_t size);
   std::size_t segment_of(std::size_t end) const;
   bool enter_segments(std::size_t first, std::size_t last);
   void orphan(std::size_t at_least);

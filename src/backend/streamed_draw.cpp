@@ -74,7 +74,7 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
   if (has_other_w(positions, range->lowest, range->highest - range->lowest + 1))
     layout.fields |= kFieldPositionW;
   prepare(context, layout);
-  if (!use_program(context, draw.mode == GL_POINTS)) return true;
+  if (!use_program(context, draw.mode == GL_POINTS, draw.count)) return true;
   const std::optional<std::uint32_t> base =
       stream_vertices(context, ArrayGather(context, readable.views(), layout), *range);
   if (!base) return false;

@@ -72,7 +72,7 @@ bool Backend::draw_unfilled(Context& context) {
     variant.lighting_position = state.lighting_position;
     variant.depth_offset =
         group.mode != GL_TRIANGLES && (expanded.layout.fields & kFieldDepthOffset);
-    if (!use_program(context, variant)) continue;
+    if (!use_program(context, variant, recorder.vertex_count())) continue;
     driver.DrawElements(
         group.mode, static_cast<GLsizei>(group.count), GL_UNSIGNED_INT,
         reinterpret_cast<const void*>(indices + group.first * sizeof(std::uint32_t)));

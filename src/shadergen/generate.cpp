@@ -2,6 +2,7 @@
 
 #include "shadergen/attributes.hpp"
 #include "shadergen/emit.hpp"
+#include "shadergen/general.hpp"
 #include "shadergen/uniform_blocks.hpp"
 
 namespace legacy_gl {
@@ -77,21 +78,22 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   emit_header(w, key, dialect, "vertex");
   w.raw(kTransformBlockText);
   w.blank();
-  if (key.lit) emit_lighting_blocks(w, key);
+  const bool general = key.general_lights != 0;
+  if (key.lit) general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
   emit_inputs(w, key);
   emit_varyings(w, key, dialect, "out");
   // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own
   // depth.
   w.line("invariant gl_Position;");
   w.blank();
-  if (key.lit) emit_lighting_functions(w, key);
+  if (key.lit) general ? emit_general_functions(w, key) : emit_lighting_functions(w, key);
   w.open("void main() {");
   w.line("gl_Position = modelview_projection * position;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
   if (key.points) emit_point(w, dialect);
   if (key.lit) {
-    emit_lighting_space(w, key);
-    emit_lights(w, key);
+    general ? emit_general_space(w, key) : emit_lighting_space(w, key);
+    general ? emit_general_lights(w, key) : emit_lights(w, key);
     w.line("front_color = front_lit;");
     if (key.two_side) w.line("back_color = back_lit;");
     if (key.separate_specular) w.line("front_secondary = front_specular;");

@@ -45,16 +45,18 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   for (const std::uint8_t shininess : key.integer_shininess) mix(hash, shininess);
   for (const LightRun& run : key.lights)
     mix(hash, static_cast<std::size_t>(run.kind) << 16 | run.count);
+  mix(hash, key.general_lights);
   return hash;
 }
 
 std::string describe(const ProgramKey& key) {
   std::string text;
   if (!key.lit) append(text, "unlit");
+  if (key.general_lights) append(text, "general");
   for (const LightRun& run : key.lights)
     if (run.count) append(text, std::to_string(run.count) + " " + describe_kind(run.kind));
-  if (key.lit && key.light_count() == 0) append(text, "lit by no light");
-  if (key.lit) {
+  if (key.lit && !key.general_lights && key.light_count() == 0) append(text, "lit by no light");
+  if (key.lit && !key.general_lights) {
     switch (key.space) {
       case LightingSpace::kObject: append(text, "in object space"); break;
       case LightingSpace::kEyeAxes: append(text, "in eye axes"); break;

@@ -78,6 +78,9 @@ struct ProgramKey {
   /// a logarithm.
   std::array<std::uint8_t, 2> integer_shininess{};
   std::array<LightRun, kMaxLightRuns> lights{};
+  /// 0, or the key is a general program's: room for this many lights, whose facts are uniforms
+  /// (general.hpp).
+  std::uint16_t general_lights = 0;
   bool operator==(const ProgramKey&) const = default;
 
   unsigned light_count() const {
@@ -88,6 +91,8 @@ struct ProgramKey {
 };
 
 inline constexpr std::uint8_t kGeneralShininess = 255;
+/// The room of a general program unless there are more lights.
+inline constexpr std::uint16_t kGeneralLights = 8;
 
 struct ProgramKeyHash {
   std::size_t operator()(const ProgramKey& key) const noexcept;

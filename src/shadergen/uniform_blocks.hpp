@@ -16,10 +16,11 @@ enum UniformBlock : unsigned {
   kFrontBlock,
   kBackBlock,
   kPreciseBlock,
+  kGeneralBlock,
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
-    "Transform", "Lights", "FrontMaterial", "BackMaterial", "Precise"};
+    "Transform", "Lights", "FrontMaterial", "BackMaterial", "Precise", "General"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
@@ -85,6 +86,22 @@ inline constexpr const char* kLightLowStructText = R"(struct LightLow {
 };
 )";
 static_assert(sizeof(LightLow) == 32);
+/// What chooses code in a specialised program, for the general one.
+struct GeneralUniforms {
+  glm::mat4 lighting_matrix{1.0f};           ///< object coordinates to lighting space
+  std::array<glm::vec4, 3> normal_matrix{};  ///< the same for normals, with their scale
+  glm::ivec4 light_ends{0};                  ///< of directional, of point, of all lights
+  glm::vec4 modes{0};                        ///< x: normalize, y: local viewer
+};
+inline constexpr const char* kGeneralBlockText = R"(layout(std140) uniform General {
+  mat4 lighting_matrix;         // object to lighting space
+  mat3 lighting_normal_matrix;
+  ivec4 light_ends;             // end of the directional, of the point, of all lights
+  vec4 modes;                   // 1 or 0: normalize, local viewer
+};
+)";
+static_assert(offsetof(GeneralUniforms, light_ends) == 112);
+static_assert(sizeof(GeneralUniforms) == 144);
 
 /// A light's colours times the material's; the light's own colour where the material comes with the
 /// vertex.

@@ -63,6 +63,13 @@ std::uint64_t programs_compiled(CoreContext& context) {
   return statistics.programs_compiled;
 }
 
+// What a program gets that asks for nothing.
+legacy_gl_options default_options() {
+  legacy_gl_options options{};
+  options.programs = LEGACY_GL_PROGRAMS_GENERAL_FIRST;
+  return options;
+}
+
 struct Measured {
   std::vector<double> cpu_ratio, wall_ratio, ours_cpu, mesa_cpu, ours_wall, mesa_wall;
 
@@ -79,7 +86,9 @@ struct Measured {
 class Pair {
  public:
   Pair(const SpeedScene& scene, const SpeedOptions& options)
-      : scene_(scene), mesa_(options.size, options.size), ours_(options.size, options.size) {
+      : scene_(scene),
+        mesa_(options.size, options.size),
+        ours_(options.size, options.size, PixelFormat::rgba8, default_options()) {
     prepare(mesa_, scene, options);
     prepare(ours_, scene, options);
   }
@@ -172,7 +181,9 @@ bool measure_scene(const SpeedScene& scene, const SpeedOptions& options, std::os
 void profile_scene(const SpeedScene& scene, const SpeedOptions& options, bool mesa, int frames) {
   std::unique_ptr<RenderContext> context;
   if (mesa) context = std::make_unique<MesaContext>(options.size, options.size);
-  else context = std::make_unique<CoreContext>(options.size, options.size);
+  else
+    context = std::make_unique<CoreContext>(options.size, options.size, PixelFormat::rgba8,
+                                            default_options());
   prepare(*context, scene, options);
   std::vector<double> times;
   for (int i = 0; i < frames; ++i) times.push_back(time_frame(*context, scene).cpu);
@@ -180,8 +191,10 @@ void profile_scene(const SpeedScene& scene, const SpeedOptions& options, bool me
   if (mesa) return;
   legacy_gl_statistics s;
   legacy_gl_get_statistics(&s);
-  std::printf("draws %llu, batches %llu, compiled %llu, switches %llu\n",
-              static_cast<unsigned long long>(s.draws), static_cast<unsigned long long>(s.batches),
+  std::printf("draws %llu, general %llu, batches %llu, compiled %llu, switches %llu\n",
+              static_cast<unsigned long long>(s.draws),
+              static_cast<unsigned long long>(s.general_draws),
+              static_cast<unsigned long long>(s.batches),
               static_cast<unsigned long long>(s.programs_compiled),
               static_cast<unsigned long long>(s.program_switches));
 }

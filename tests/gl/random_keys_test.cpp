@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "backend/program_cache.hpp"
+#include "shadergen/general.hpp"
 #include "support/contexts.hpp"
 #include "support/random_keys.hpp"
 
@@ -22,6 +23,10 @@ void compile_random_keys() {
     const ProgramKey key = keys.next();
     ASSERT_NE(programs.find_or_build(key, statistics), 0u) << describe(key) << "\n"
                                                            << programs.error();
+    const ProgramKey general = generalise(key);
+    ASSERT_NE(programs.find_or_build(general, statistics), 0u) << describe(general) << "\n"
+                                                               << programs.error();
+    ASSERT_EQ(generalise(general), general);
   }
   EXPECT_EQ(statistics.programs_generated, statistics.programs_compiled);
 }

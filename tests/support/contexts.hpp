@@ -80,6 +80,13 @@ class MesaContext final : public RenderContext {
   std::unique_ptr<Data> data_;
 };
 
+// Tests look at specialised programs from the first draw on, unless they ask for others.
+inline legacy_gl_options test_options(legacy_gl_options options) {
+  if (options.programs == LEGACY_GL_PROGRAMS_DEFAULT)
+    options.programs = LEGACY_GL_PROGRAMS_SPECIALISED;
+  return options;
+}
+
 // legacy_gl over an OSMesa core profile 3.3 context.
 class CoreContext final : public RenderContext {
  public:

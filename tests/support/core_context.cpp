@@ -14,7 +14,7 @@ struct CoreContext::Data {
 CoreContext::CoreContext(int width, int height, PixelFormat color_format,
                          const legacy_gl_options& options)
     : RenderContext(width, height, color_format),
-      data_(std::make_unique<Data>(Data{options, nullptr, nullptr})) {
+      data_(std::make_unique<Data>(Data{test_options(options), nullptr, nullptr})) {
   gl = load_gl_functions(legacy_gl_get_proc_address);
   create();
   make_current();
