@@ -1,0 +1,118 @@
+#include "platform/drop_in_context.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+namespace legacy_gl::platform {
+
+namespace {
+
+struct DropInContext {
+  std::shared_ptr<std::vector<std::weak_ptr<DropInContext>>> group;  ///< that share lists
+  legacy_gl_context* ours = nullptr;  ///< made when the driver's is current for the first time
+  bool refused = false;               ///< ours could not be made
+  bool current = false;               ///< in some thread
+  bool forgotten = false;             ///< the program destroyed it
+};
+using Shared = std::shared_ptr<DropInContext>;
+
+std::mutex mutex;
+
+std::unordered_map<DriverContext, Shared>& contexts() {
+  // Never destroyed: a program may call until its very end.
+  static auto& map = *new std::unordered_map<DriverContext, Shared>;
+  return map;
+}
+
+thread_local Shared current;
+
+Shared find(DriverContext context) {
+  const std::lock_guard lock(mutex);
+  const auto at = contexts().find(context);
+  return at == contexts().end() ? nullptr : at->second;
+}
+
+legacy_gl_context* shares_with(const DropInContext& context) {
+  for (const auto& member : *context.group)
+    if (const Shared other = member.lock(); other && other->ours) return other->ours;
+  return nullptr;
+}
+
+void make_ours(DropInContext& context, legacy_gl_loader loader) {
+  const std::lock_guard lock(mutex);
+  legacy_gl_options options{};
+  options.share = shares_with(context);
+  legacy_gl_status status = LEGACY_GL_OK;
+  context.ours = legacy_gl_create_context(loader, &options, &status);
+  if (context.ours) return;
+  context.refused = true;
+  std::fprintf(stderr, "legacy_gl: no context: %s: %s\n", legacy_gl_status_string(status),
+               legacy_gl_status_detail());
+}
+
+void destroy_ours(DropInContext& context) {
+  const std::lock_guard lock(mutex);
+  legacy_gl_destroy_context(context.ours);
+  context.ours = nullptr;
+}
+
+/// The driver's context is still current.
+void leave_current() {
+  legacy_gl_make_current(nullptr);
+  if (current && current->forgotten) destroy_ours(*current);
+}
+
+void enter(const Shared& next, legacy_gl_loader loader) {
+  if (current) current->current = false;
+  current = next;
+  if (!next) return;
+  next->current = true;
+  if (!next->ours && !next->refused) make_ours(*next, loader);
+  if (next->ours) legacy_gl_make_current(next->ours);
+}
+
+}  // namespace
+
+void adopt(DriverContext made, DriverContext share) {
+  const Shared other = share ? find(share) : nullptr;
+  const auto context = std::make_shared<DropInContext>();
+  context->group =
+      other ? other->group : std::make_shared<std::vector<std::weak_ptr<DropInContext>>>();
+  const std::lock_guard lock(mutex);
+  context->group->push_back(context);
+  contexts()[made] = context;
+}
+
+bool switch_to(DriverContext next, legacy_gl_loader loader,
+               const std::function<bool()>& make_current) {
+  const Shared found = next ? find(next) : nullptr;
+  legacy_gl_flush();
+  if (found && found == current) return make_current();  // another surface at most
+  leave_current();
+  if (!make_current()) {
+    if (current && current->ours) legacy_gl_make_current(current->ours);
+    return false;
+  }
+  enter(found, loader);
+  return true;
+}
+
+void forget(DriverContext context,
+            const std::function<void(const std::function<void()>&)>& with_current) {
+  const Shared found = find(context);
+  if (!found) return;
+  {
+    const std::lock_guard lock(mutex);
+    contexts().erase(context);
+    found->forgotten = true;
+  }
+  if (found->current || !found->ours) return;
+  legacy_gl_make_current(nullptr);
+  with_current([&] { destroy_ours(*found); });
+  if (current && current->ours) legacy_gl_make_current(current->ours);
+}
+
+}  // namespace legacy_gl::platform

@@ -1,0 +1,41 @@
+// The gl names of the drop-in. While a context of ours is current they are ours; otherwise (a core
+// profile that the program asked for itself, OpenGL ES, none at all) they are the driver's.
+#define LEGACY_GL_NO_NAMES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <legacy_gl/context.h>
+#include <legacy_gl/gl.h>
+
+#include "platform/export.hpp"
+
+using legacy_gl::platform::find_gl;
+
+namespace {
+
+/// Around a call of the driver's own: what was recorded is drawn before it, and nothing is believed
+/// to be bound after it (docs/coexistence.md).
+class BesideOurs {
+ public:
+  BesideOurs() { legacy_gl_flush(); }
+  ~BesideOurs() { legacy_gl_reset_driver_state(); }
+  BesideOurs(const BesideOurs&) = delete;
+  BesideOurs& operator=(const BesideOurs&) = delete;
+};
+
+}  // namespace
+
+#define LEGACY_GL_OURS(result, name, parameters, arguments, ours) \
+  LEGACY_GL_EXPORT result APIENTRY name parameters {              \
+    if (legacy_gl_get_current()) return ours arguments;           \
+    LEGACY_GL_CALL_DRIVER(find_gl, result, name, arguments);      \
+  }
+// Some aliases name an enum's type where the command they stand for has an integer's.
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#include "platform/exported_gl_ours.inc"
+
+#define LEGACY_GL_PASSED(result, name, parameters, arguments) \
+  LEGACY_GL_EXPORT result APIENTRY name parameters {          \
+    const BesideOurs beside;                                  \
+    LEGACY_GL_CALL_DRIVER(find_gl, result, name, arguments);  \
+  }
+#include "platform/exported_gl_passed.inc"
