@@ -9,6 +9,25 @@ namespace legacy_gl {
 /// The first lines: the version, the key in words, default precision.
 void emit_header(Writer& w, const ProgramKey& key, Dialect dialect, const char* stage);
 
+/// What goes from the vertex to the fragment: the colours of both faces, and secondary colours.
+/// `direction` is in or out.
+void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect, const std::string& direction);
+bool has_secondary(const ProgramKey& key);
+
+/// A fragment's colours on their way through the stages, as GLSL expressions. Each stage that
+/// changes one leaves its own expression.
+struct FragmentColors {
+  std::string primary;    ///< vec4
+  std::string secondary;  ///< vec3, where has_secondary
+  bool declared = false;  ///< the variable `color` exists
+
+  /// The primary colour becomes the variable `color`, which the stage may then assign to.
+  void make_variable(Writer& w);
+};
+
+/// The text of the fragment stage.
+std::string emit_fragment(const ProgramKey& key, Dialect dialect);
+
 /// The uniform blocks that lighting reads, and the structs in them.
 void emit_lighting_blocks(Writer& w, const ProgramKey& key);
 

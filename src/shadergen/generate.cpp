@@ -9,10 +9,6 @@ namespace legacy_gl {
 
 namespace {
 
-bool has_secondary(const ProgramKey& key) {
-  return key.separate_specular || key.secondary_from_vertex;
-}
-
 bool reads_color(const ProgramKey& key) {
   if (!key.lit) return true;
   for (const auto& face : key.material)
@@ -38,21 +34,6 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
         emit_input(w, kLocationMaterial + face * 5 + property, property == 4 ? "float" : "vec4",
                    kMaterialAttributeNames[face][property]);
   w.blank();
-}
-
-/// What goes from the vertex to the fragment: the colours of both faces, and secondary colours.
-void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
-                   const std::string& direction) {
-  // A driver may drop what only rounding makes of an expression, but not on the way to an invariant
-  // output. GLSL 3.30 wants both ends to say so, OpenGL ES the output alone.
-  const bool exact =
-      key.quality == Quality::kPrecise && (direction == "out" || dialect == Dialect::kCore330);
-  const std::string start =
-      std::string(exact ? "invariant " : "") + (key.flat ? "flat " : "") + direction;
-  w.line(start + " vec4 front_color;");
-  if (key.two_side) w.line(start + " vec4 back_color;");
-  if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
-  if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
 }
 
 /// Aliased points are squares of whole pixels (GL 2.1 spec 3.3.1): their centre moves to the middle
@@ -106,37 +87,10 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   return w.text();
 }
 
-std::string fragment_shader(const ProgramKey& key, Dialect dialect) {
-  Writer w;
-  emit_header(w, key, dialect, "fragment");
-  emit_varyings(w, key, dialect, "in");
-  w.blank();
-  w.line("layout(location = 0) out vec4 fragment_color;");
-  w.blank();
-  w.open("void main() {");
-  std::string color = "front_color", secondary = "front_secondary";
-  if (key.two_side && key.back_only) {
-    color = "back_color";
-    secondary = "back_secondary";
-  } else if (key.two_side) {
-    w.line("vec4 color = gl_FrontFacing ? front_color : back_color;");
-    color = "color";
-    if (has_secondary(key)) {
-      w.line("vec3 secondary = gl_FrontFacing ? front_secondary : back_secondary;");
-      secondary = "secondary";
-    }
-  }
-  if (has_secondary(key))  // GL 2.1 spec 3.9, "color sum"; a fixed-point framebuffer clamps
-    w.line("fragment_color = vec4(" + color + ".rgb + " + secondary + ", " + color + ".a);");
-  else w.line("fragment_color = " + color + ";");
-  w.close();
-  return w.text();
-}
-
 }  // namespace
 
 ProgramSource generate(const ProgramKey& key, Dialect dialect) {
-  return {vertex_shader(key, dialect), fragment_shader(key, dialect)};
+  return {vertex_shader(key, dialect), emit_fragment(key, dialect)};
 }
 
 }  // namespace legacy_gl

@@ -1,0 +1,50 @@
+// The fragment stage, in the specification's order: the face's colours, texturing (GL 2.1 spec 3.8),
+// colour sum (3.9), fog (3.10), alpha test (4.1.4).
+#include "shadergen/emit.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// Chooses the colours of the face that is drawn.
+FragmentColors emit_face(Writer& w, const ProgramKey& key) {
+  if (key.two_side && key.back_only) return {"back_color", "back_secondary"};
+  if (!key.two_side) return {"front_color", "front_secondary"};
+  w.line("vec4 color = gl_FrontFacing ? front_color : back_color;");
+  if (has_secondary(key))
+    w.line("vec3 secondary = gl_FrontFacing ? front_secondary : back_secondary;");
+  return {"color", "secondary", true};
+}
+
+/// GL 2.1 spec 3.9; a fixed-point framebuffer clamps.
+void emit_color_sum(Writer&, const ProgramKey& key, FragmentColors& colors) {
+  if (!has_secondary(key)) return;
+  colors.primary =
+      "vec4(" + colors.primary + ".rgb + " + colors.secondary + ", " + colors.primary + ".a)";
+}
+
+}  // namespace
+
+void FragmentColors::make_variable(Writer& w) {
+  if (primary == "color") return;
+  w.line((declared ? "color = " : "vec4 color = ") + primary + ";");
+  declared = true;
+  primary = "color";
+}
+
+std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
+  Writer w;
+  emit_header(w, key, dialect, "fragment");
+  emit_varyings(w, key, dialect, "in");
+  w.blank();
+  w.line("layout(location = 0) out vec4 fragment_color;");
+  w.blank();
+  w.open("void main() {");
+  FragmentColors colors = emit_face(w, key);
+  emit_color_sum(w, key, colors);
+  w.line("fragment_color = " + colors.primary + ";");
+  w.close();
+  return w.text();
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,23 @@
+#include "shadergen/emit.hpp"
+
+namespace legacy_gl {
+
+bool has_secondary(const ProgramKey& key) {
+  return key.separate_specular || key.secondary_from_vertex;
+}
+
+void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
+                   const std::string& direction) {
+  // A driver may drop what only rounding makes of an expression, but not on the way to an invariant
+  // output. GLSL 3.30 wants both ends to say so, OpenGL ES the output alone.
+  const bool exact =
+      key.quality == Quality::kPrecise && (direction == "out" || dialect == Dialect::kCore330);
+  const std::string start =
+      std::string(exact ? "invariant " : "") + (key.flat ? "flat " : "") + direction;
+  w.line(start + " vec4 front_color;");
+  if (key.two_side) w.line(start + " vec4 back_color;");
+  if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
+  if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
+}
+
+}  // namespace legacy_gl
