@@ -88,7 +88,7 @@ typedef struct legacy_gl_statistics {
   uint64_t lights_skipped;        /**< enabled lights that a draw left out since they add nothing */
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
-  uint64_t primitives_clipped;    /**< list draws skipped: their bounds are outside the view */
+  uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */
 } legacy_gl_statistics;
 
 /** Creates a context over the driver's current context. NULL options: defaults. On failure returns

@@ -13,7 +13,12 @@
 
 namespace legacy_gl {
 
-thread_local Context* current_context = nullptr;
+constinit thread_local Context* current_context = nullptr;
+constinit thread_local Context* direct_context = nullptr;
+
+void update_direct_context() {
+  direct_context = current_context && !current_context->lists.compiling ? current_context : nullptr;
+}
 
 namespace {
 
@@ -81,9 +86,8 @@ void report_unbuilt(const char* name) {
   raise_error(*context, GL_INVALID_OPERATION);
 }
 
-void flush_pending(Context& context) {
-  if (context.recorder.has_pending() && !context.recorder.inside_begin_end())
-    context.backend->draw_recorded(context);
+void draw_pending(Context& context) {
+  if (!context.recorder.inside_begin_end()) context.backend->draw_recorded(context);
 }
 
 }  // namespace legacy_gl
@@ -121,6 +125,7 @@ legacy_gl_status legacy_gl_make_current(legacy_gl_context* context) {
     current_context->current_in = {};
   }
   current_context = context;
+  update_direct_context();
   if (context) {
     context->current_in = here;
     context->backend->reset_driver_state();
@@ -132,7 +137,7 @@ legacy_gl_status legacy_gl_make_current(legacy_gl_context* context) {
 legacy_gl_context* legacy_gl_get_current(void) { return current_context; }
 
 void legacy_gl_destroy_context(legacy_gl_context* context) {
-  if (context == current_context) current_context = nullptr;
+  if (context == current_context) current_context = direct_context = nullptr;
   delete context;
 }
 

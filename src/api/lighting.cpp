@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dlist/dispatch.hpp"
+#include "lighting/set_material_color.hpp"
 
 using namespace legacy_gl;
 
@@ -37,6 +38,10 @@ Floats4 read(const GLint* values, unsigned count, bool is_color) {
 /// The scalar calls take only pnames with one value: any other becomes one that every setter
 /// refuses.
 GLenum scalar_only(GLenum pname, unsigned count) { return count == 1 ? pname : GL_NONE; }
+
+[[gnu::noinline]] void material_in_general(GLenum face, GLenum pname, const GLfloat* params) {
+  dispatch<set_material>(face, pname, read(params, material_parameter_count(pname)));
+}
 
 }  // namespace
 
@@ -74,7 +79,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialf(GLenum face, GLenum pname, GL
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialfv(GLenum face, GLenum pname,
                                                     const GLfloat* params) {
-  dispatch<set_material>(face, pname, read(params, material_parameter_count(pname)));
+  Context* const context = direct_context;
+  if (!context || !set_material_color(*context, face, pname, params))
+    material_in_general(face, pname, params);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMateriali(GLenum face, GLenum pname, GLint param) {
   lglMaterialf(face, pname, static_cast<GLfloat>(param));

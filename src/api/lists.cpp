@@ -25,6 +25,7 @@ void new_list(Context& c, GLuint name, GLenum mode) {
   c.lists.compiling_name = name;
   c.lists.compiling_list = std::make_shared<DisplayList>();
   c.lists.welder = {};
+  update_direct_context();
 }
 
 void end_list(Context& c) {
@@ -35,6 +36,7 @@ void end_list(Context& c) {
   c.lists.compiling_list = nullptr;
   c.lists.compiling_name = 0;
   c.lists.mode = 0;
+  update_direct_context();
 }
 
 void call_list(Context& c, GLuint name) {
@@ -43,10 +45,12 @@ void call_list(Context& c, GLuint name) {
   if (!list) return;
   // What a list executes is not recorded again: GL_COMPILE_AND_EXECUTE records the call itself.
   const bool compiling = std::exchange(c.lists.compiling, false);
+  if (compiling) update_direct_context();
   ++c.lists.nesting;
   list->execute(c);
   --c.lists.nesting;
   c.lists.compiling = compiling;
+  if (compiling) update_direct_context();
 }
 
 void list_base(Context& c, GLuint base) {

@@ -40,6 +40,14 @@ void matrix_mode(Context& c, GLenum mode) {
   c.transform.matrix_mode = mode;
 }
 
+/// The same for what the stack may leave uncomputed until it is drawn with.
+void apply(Context& c, const MatrixOperation& operation) {
+  if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
+  flush_pending(c);
+  current_stack(c).apply(operation);
+  c.dirty |= kDirtyTransform;
+}
+
 void load_identity(Context& c) {
   change_top(c, [](Matrix& top) { set_identity(top); });
 }
@@ -51,13 +59,13 @@ void multiply_matrix(Context& c, MatrixValues values) {
 }
 void rotate_by(Context& c, float degrees, float x, float y, float z) {
   if (degrees == 0 && !c.recorder.inside_begin_end()) return;
-  change_top(c, [&](Matrix& top) { rotate(top, degrees, x, y, z); });
+  apply(c, {MatrixOperation::Kind::kRotate, x, y, z, degrees});
 }
 void translate_by(Context& c, float x, float y, float z) {
-  change_top(c, [&](Matrix& top) { translate(top, x, y, z); });
+  apply(c, {MatrixOperation::Kind::kTranslate, x, y, z});
 }
 void scale_by(Context& c, float x, float y, float z) {
-  change_top(c, [&](Matrix& top) { scale(top, x, y, z); });
+  apply(c, {MatrixOperation::Kind::kScale, x, y, z});
 }
 
 struct Box {

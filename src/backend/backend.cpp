@@ -214,6 +214,13 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
 void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
   if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
+  derived_.update(context, recorder.layout(), driver.dialect);
+  if (all_beyond_one_plane(derived_.transform.modelview_projection, recorder.data(),
+                           recorder.vertex_count(), recorder.offsets().stride,
+                           recorder.offsets().position_size == 4)) {
+    ++context.statistics.primitives_clipped;
+    return recorder.clear();
+  }
   prepare(context, recorder.layout());
   const std::uint32_t base_vertex = upload_vertices(context);
   const GLuint array = arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name());

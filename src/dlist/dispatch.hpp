@@ -17,22 +17,25 @@ void play(Context& context, const void* payload) {
              *static_cast<const std::tuple<Args...>*>(payload));
 }
 
+template <auto Execute, typename... Args>
+[[gnu::noinline]] void record(const Args&... args) {
+  Context* const context = current_context;
+  if (!context) return report_no_context();
+  using Payload = std::tuple<Args...>;
+  void* const payload = context->lists.append(&play<Execute, Args...>, sizeof(Payload));
+  new (payload) Payload(args...);
+  if (context->lists.mode != GL_COMPILE) Execute(*context, args...);
+}
+
 /// Records Execute(args...) in the list being compiled; executes it unless the mode is GL_COMPILE.
 /// The arguments are values: a command that takes a pointer copies what it points to first (GL 2.1
 /// spec 5.4).
 template <auto Execute, typename... Args>
 inline void dispatch(const Args&... args) {
   static_assert((std::is_trivially_copyable_v<Args> && ...));
-  Context* const context = current_context;
-  if (!context) [[unlikely]]
-    return report_no_context();
-  if (context->lists.compiling) [[unlikely]] {
-    using Payload = std::tuple<Args...>;
-    void* const payload = context->lists.append(&play<Execute, Args...>, sizeof(Payload));
-    new (payload) Payload(args...);
-    if (context->lists.mode == GL_COMPILE) return;
-  }
-  Execute(*context, args...);
+  if (Context* const context = direct_context) [[likely]]
+    return Execute(*context, args...);
+  record<Execute>(args...);
 }
 
 /// For commands that no list holds: executes at once.

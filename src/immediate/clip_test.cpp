@@ -17,4 +17,30 @@ bool any_outside(const glm::mat4& m, const float* positions, std::uint32_t count
   return false;
 }
 
+namespace {
+
+/// What is below this part of the terms' sum may be rounding.
+constexpr float kRounding = 1e-5f;
+
+}  // namespace
+
+bool all_beyond_one_plane(const glm::mat4& m, const float* positions, std::uint32_t count,
+                          unsigned stride, bool has_w) {
+  const auto row = [&m](int i) { return glm::vec4(m[0][i], m[1][i], m[2][i], m[3][i]); };
+  const auto beyond = [has_w](const glm::vec4& plane, const float* p) {
+    const float w = has_w ? p[3] : 1.0f;
+    const float x = plane.x * p[0], y = plane.y * p[1], z = plane.z * p[2], rest = plane.w * w;
+    const float size = std::abs(x) + std::abs(y) + std::abs(z) + std::abs(rest);
+    return (x + y) + (z + rest) < -kRounding * size;  // false where one is not a number
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = -1; side <= 1; side += 2) {
+      const glm::vec4 plane = row(3) + static_cast<float>(side) * row(axis);
+      std::uint32_t i = 0;
+      while (i < count && beyond(plane, positions + std::size_t{i} * stride)) ++i;
+      if (i == count) return true;
+    }
+  return false;
+}
+
 }  // namespace legacy_gl

@@ -9,4 +9,9 @@ namespace legacy_gl {
 bool any_outside(const glm::mat4& modelview_projection, const float* positions, std::uint32_t count,
                  unsigned stride, bool has_w);
 
+/// True when all of them are beyond the same clip plane, farther than float32 rounds: nothing that
+/// they make up is seen.
+bool all_beyond_one_plane(const glm::mat4& modelview_projection, const float* positions,
+                          std::uint32_t count, unsigned stride, bool has_w);
+
 }  // namespace legacy_gl

@@ -1,6 +1,7 @@
 #include "immediate/recorder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "state/context.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 /// A batch this large is drawn at the next glEnd: memory stays bounded, and the driver starts
 /// early.
-constexpr std::size_t kFlushFloats = std::size_t{1} << 20;
+constexpr std::size_t kFlushFloats = std::size_t{1} << 16;
 constexpr std::size_t kFirstFloats = std::size_t{1} << 14;
 
 template <typename V>
@@ -72,9 +73,22 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
 
 void Recorder::start_batch(const Context& context) {
   if (has_pending()) return;
-  layout_ = relevant_layout(context);
-  offsets_ = offsets_of(layout_);
+  set_layout(relevant_layout(context));
   cursor_ = storage_.get();
+}
+
+void Recorder::set_layout(const VertexLayout& layout) {
+  layout_ = layout;
+  offsets_ = offsets_of(layout);
+  shape_ = Shape::kOther;
+  if (layout.materials) return;
+  if (layout.fields == kFieldNormal) shape_ = Shape::kNormal;
+  if (layout.fields == kFieldColor) shape_ = Shape::kColor;
+  if (layout.fields == (kFieldNormal | kFieldColor)) shape_ = Shape::kNormalAndColor;
+}
+
+void Recorder::set_limit() {
+  limit_ = inside_ ? storage_.get() + (capacity_floats_ - offsets_.stride + 1) : nullptr;
 }
 
 void Recorder::reserve(std::uint32_t more_vertices) {
@@ -88,7 +102,7 @@ void Recorder::reserve(std::uint32_t more_vertices) {
     capacity_floats_ = capacity;
   }
   cursor_ = storage_.get() + used;
-  limit_ = storage_.get() + capacity_floats_;
+  set_limit();
 }
 
 void Recorder::begin(Context& context, GLenum mode) {
@@ -100,7 +114,7 @@ void Recorder::begin(Context& context, GLenum mode) {
 }
 
 float* Recorder::emit(Context& context) {
-  if (cursor_ + offsets_.stride > limit_) reserve(1);
+  if (cursor_ >= limit_) reserve(1);
   float* const vertex = cursor_;
   put_fields(context, layout_, vertex + offsets_.position_size);
   cursor_ = vertex + offsets_.stride;
@@ -108,7 +122,55 @@ float* Recorder::emit(Context& context) {
 }
 
 void Recorder::vertex(Context& context, float x, float y, float z) {
+  float* const vertex = cursor_;
+  if (vertex >= limit_) [[unlikely]]
+    return vertex_slowly(context, x, y, z);
+  const auto position = [=] {
+    vertex[0] = x;
+    vertex[1] = y;
+    vertex[2] = z;
+  };
+  switch (shape_) {
+    case Shape::kNormal:
+      position();
+      cursor_ = put(vertex + 3, context.current.normal, 3);
+      break;
+    case Shape::kColor:
+      position();
+      cursor_ = put(vertex + 3, context.current.color, 4);
+      break;
+    case Shape::kNormalAndColor:
+      position();
+      cursor_ = put(put(vertex + 3, context.current.normal, 3), context.current.color, 4);
+      break;
+    case Shape::kOther: vertex_slowly(context, x, y, z); break;
+  }
+}
+
+/// What is complete of a long glBegin(GL_TRIANGLES) and its like is drawn while it is being given:
+/// it is still in the processor's caches, and the memory stays bounded.
+void Recorder::draw_part(Context& context) {
+  const unsigned size = mode_ == GL_TRIANGLES ? 3 : mode_ == GL_LINES ? 2 : 1;
+  const std::uint32_t rest = (vertex_count() - first_) % size;
+  const std::size_t rest_floats = std::size_t{rest} * offsets_.stride;
+  std::array<float, 2 * kMaxVertexFloats> kept;
+  std::copy_n(cursor_ - rest_floats, rest_floats, kept.begin());
+  const VertexLayout layout = layout_;
+  end(context);
+  flush_pending(context);
+  begin(context, mode_);
+  if (rest) {
+    set_layout(layout);
+    reserve(rest + 1);
+    cursor_ = std::copy_n(kept.begin(), rest_floats, cursor_);
+  }
+}
+
+void Recorder::vertex_slowly(Context& context, float x, float y, float z) {
   if (!inside_) return;  // undefined outside Begin/End (GL 2.1 spec 2.6.1): ignored
+  const bool apart = mode_ == GL_TRIANGLES || mode_ == GL_LINES || mode_ == GL_POINTS;
+  if (apart && cursor_ >= limit_ && recorded_floats() + kMaxVertexFloats > kFlushFloats)
+    draw_part(context);
   float* const vertex = emit(context);
   vertex[0] = x;
   vertex[1] = y;
@@ -160,11 +222,12 @@ void Recorder::put_current(const Context& context, const VertexLayout& layout, f
 }
 
 void Recorder::flush_if_large(Context& context) {
-  if (static_cast<std::size_t>(cursor_ - storage_.get()) > kFlushFloats) flush_pending(context);
+  if (recorded_floats() > kFlushFloats) flush_pending(context);
 }
 
 void Recorder::end(Context& context) {
   inside_ = false;
+  limit_ = nullptr;
   close_run(context, mode_, first_);
   flush_if_large(context);
 }
@@ -223,10 +286,9 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
       if (layout_.materials & (1u << m))
         keep(wide.materials[m], old.materials[m], material_size(m % kPropertyCount));
   }
-  layout_ = layout;
-  offsets_ = wide;
+  set_layout(layout);
   cursor_ = storage_.get() + std::size_t{count} * wide.stride;
-  limit_ = storage_.get() + capacity_floats_;
+  set_limit();
 }
 
 void Recorder::carry_materials(Context& context, MaterialMask mask) {

@@ -26,6 +26,7 @@ class Recorder {
  public:
   bool inside_begin_end() const { return inside_; }
   bool has_pending() const { return !runs_.empty(); }
+  bool is_idle() const { return !has_pending() && !inside_; }
 
   void begin(legacy_gl_context& context, GLenum mode);
   void end(legacy_gl_context& context);
@@ -75,11 +76,21 @@ class Recorder {
   void reserve(std::uint32_t more_vertices);
   void widen(const legacy_gl_context& context, const VertexLayout& layout);
   float* emit(legacy_gl_context& context);
+  std::size_t recorded_floats() const { return static_cast<std::size_t>(cursor_ - storage_.get()); }
   void close_run(legacy_gl_context& context, GLenum mode, std::uint32_t first);
   void add_run(legacy_gl_context& context, const PrimitiveRun& run);
 
+  /// The layouts that most programs use; their vertices are stored without a look at the layout.
+  enum class Shape : std::uint8_t { kOther, kNormal, kColor, kNormalAndColor };
+
+  void set_layout(const VertexLayout& layout);
+  void vertex_slowly(legacy_gl_context& context, float x, float y, float z);
+  void set_limit();
+  void draw_part(legacy_gl_context& context);
+
   float* cursor_ = nullptr;
-  float* limit_ = nullptr;
+  float* limit_ = nullptr;  ///< a vertex fits while the cursor is before it; null outside Begin/End
+  Shape shape_ = Shape::kOther;
   bool inside_ = false;
   VertexLayout layout_;
   VertexOffsets offsets_;

@@ -34,6 +34,9 @@ struct VertexOffsets {
 
 constexpr unsigned material_size(unsigned property) { return property == kShininess ? 1 : 4; }
 
+/// A stride is never larger.
+inline constexpr unsigned kMaxVertexFloats = 64;
+
 inline VertexOffsets offsets_of(const VertexLayout& layout) {
   VertexOffsets offsets;
   offsets.position_size = layout.fields & kFieldPositionW ? 4 : 3;

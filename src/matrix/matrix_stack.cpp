@@ -163,4 +163,19 @@ void ortho(Matrix& matrix, double left, double right, double bottom, double top,
   matrix.exact = matrix.exact * ortho_matrix(left, right, bottom, top, near_distance, far_distance);
 }
 
+void MatrixStack::compute_pending() const {
+  Matrix& top = matrices_[depth_ - 1];
+  if (copies_below_) top = matrices_[depth_ - 2];
+  for (std::size_t i = 0; i < pending_count_; ++i) {
+    const MatrixOperation& o = pending_[i];
+    switch (o.kind) {
+      case MatrixOperation::Kind::kRotate: rotate(top, o.degrees, o.x, o.y, o.z); break;
+      case MatrixOperation::Kind::kTranslate: translate(top, o.x, o.y, o.z); break;
+      case MatrixOperation::Kind::kScale: scale(top, o.x, o.y, o.z); break;
+    }
+  }
+  copies_below_ = false;
+  pending_count_ = 0;
+}
+
 }  // namespace legacy_gl

@@ -26,25 +26,62 @@ void frustum(Matrix& matrix, double left, double right, double bottom, double to
 void ortho(Matrix& matrix, double left, double right, double bottom, double top,
            double near_distance, double far_distance);
 
-/// GL 2.1 spec 2.11.2. Never empty.
+/// A rotation, translation or scaling that is not multiplied yet.
+struct MatrixOperation {
+  enum class Kind { kRotate, kTranslate, kScale };
+  Kind kind = Kind::kRotate;
+  float x = 0, y = 0, z = 0;
+  float degrees = 0;
+};
+
+/// GL 2.1 spec 2.11.2. Never empty. What is pushed and popped again with nothing drawn in between
+/// is never computed.
 class MatrixStack {
  public:
   explicit MatrixStack(std::size_t max_depth) : max_depth_(max_depth) {
-    matrices_.reserve(max_depth);
-    matrices_.emplace_back();
+    matrices_.resize(max_depth);
   }
-  Matrix& top() { return matrices_.back(); }
-  const Matrix& top() const { return matrices_.back(); }
-  std::size_t depth() const { return matrices_.size(); }
+  Matrix& top() {
+    compute();
+    return matrices_[depth_ - 1];
+  }
+  const Matrix& top() const {
+    compute();
+    return matrices_[depth_ - 1];
+  }
+  void apply(const MatrixOperation& operation) {
+    if (pending_count_ == kMaxPending) compute();
+    pending_[pending_count_++] = operation;
+  }
+  std::size_t depth() const { return depth_; }
   std::size_t max_depth() const { return max_depth_; }
-  bool can_push() const { return matrices_.size() < max_depth_; }
-  bool can_pop() const { return matrices_.size() > 1; }
-  void push() { matrices_.push_back(matrices_.back()); }
-  void pop() { matrices_.pop_back(); }
+  bool can_push() const { return depth_ < max_depth_; }
+  bool can_pop() const { return depth_ > 1; }
+  void push() {
+    compute();
+    ++depth_;
+    copies_below_ = true;
+  }
+  void pop() {
+    --depth_;  // the matrix below was computed when this one was pushed
+    copies_below_ = false;
+    pending_count_ = 0;
+  }
 
  private:
+  static constexpr std::size_t kMaxPending = 4;
+
+  void compute() const {
+    if (copies_below_ || pending_count_) compute_pending();
+  }
+  void compute_pending() const;
+
   std::size_t max_depth_;
-  std::vector<Matrix> matrices_;
+  std::size_t depth_ = 1;
+  mutable std::vector<Matrix> matrices_;
+  mutable bool copies_below_ = false;  ///< the top is still to be copied from the matrix below
+  mutable std::size_t pending_count_ = 0;
+  std::array<MatrixOperation, kMaxPending> pending_;
 };
 
 }  // namespace legacy_gl

@@ -70,7 +70,13 @@ namespace legacy_gl {
 using Context = ::legacy_gl_context;
 
 /// The context of this thread; nullptr when none is current.
-extern thread_local Context* current_context;
+extern constinit thread_local Context* current_context;
+/// The same while calls are executed at once; nullptr while a list is being compiled. One test of
+/// it is all that a call passes on its way.
+extern constinit thread_local Context* direct_context;
+
+/// Brings direct_context up to date: after a list is begun or ended, and while one is played.
+void update_direct_context();
 
 /// The error that glGetError returns next: the first one sticks (GL 2.1 spec 2.5).
 void raise_error(Context& context, GLenum error);
@@ -79,7 +85,10 @@ void raise_error(Context& context, GLenum error);
 void diagnose(Context& context, const std::string& message);
 
 /// Draws what is recorded. Every setter calls it before it stores a value that differs.
-void flush_pending(Context& context);
+void draw_pending(Context& context);
+inline void flush_pending(Context& context) {
+  if (context.recorder.has_pending()) draw_pending(context);
+}
 
 /// The order of every setter: what was recorded under the old value is drawn, then the value is
 /// stored and its dirty bits raised. Returns *changed*.

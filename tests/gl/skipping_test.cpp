@@ -137,5 +137,49 @@ TEST_F(Skipping, NeutralBeginEndPairsMerge) {
   EXPECT_EQ(statistics.draws, 1u);
 }
 
+TEST_F(Skipping, WhatIsOutsideOfTheViewIsNotDrawn) {
+  draw();
+  const Image before = context.read_rgba8();
+  legacy_gl_reset_statistics();
+  gl.Begin(GL_TRIANGLES);
+  for (int corner = 0; corner < 3; ++corner)
+    gl.Vertex3f(static_cast<float>(corner == 1), static_cast<float>(corner == 2), 1000);
+  gl.End();
+  EXPECT_EQ(context.read_rgba8().bytes, before.bytes);
+  legacy_gl_statistics statistics;
+  legacy_gl_get_statistics(&statistics);
+  EXPECT_EQ(statistics.primitives_clipped, 1u);
+  EXPECT_EQ(statistics.draws, 0u);
+  EXPECT_EQ(statistics.vertex_bytes_uploaded, 0u);
+}
+
+TEST_F(Skipping, WhatCrossesTheViewIsDrawn) {
+  draw();
+  legacy_gl_reset_statistics();
+  gl.Begin(GL_TRIANGLES);  // every corner outside, each beyond another plane
+  gl.Vertex3f(-1000, -1000, 0);
+  gl.Vertex3f(1000, -1000, 0);
+  gl.Vertex3f(0, 1000, 0);
+  gl.End();
+  legacy_gl_flush();
+  legacy_gl_statistics statistics;
+  legacy_gl_get_statistics(&statistics);
+  EXPECT_EQ(statistics.primitives_clipped, 0u);
+  EXPECT_EQ(statistics.draws, 1u);
+}
+
+TEST_F(Skipping, MatricesThatAreNotDrawnWithAreNotDerivedFrom) {
+  draw();
+  const Image before = context.read_rgba8();
+  for (int i = 0; i < 10; ++i) {
+    gl.PushMatrix();
+    gl.Rotatef(static_cast<float>(i), 1, 2, 3);
+    gl.Scalef(1, 2, 3);
+    gl.PopMatrix();
+  }
+  EXPECT_EQ(draw().normal_matrix_updates, 0u);
+  EXPECT_EQ(context.read_rgba8().bytes, before.bytes);
+}
+
 }  // namespace
 }  // namespace legacy_gl::test
