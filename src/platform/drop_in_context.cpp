@@ -1,5 +1,6 @@
 #include "platform/drop_in_context.hpp"
 
+#include <atomic>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -14,7 +15,7 @@ struct DropInContext {
   std::shared_ptr<std::vector<std::weak_ptr<DropInContext>>> group;  ///< that share lists
   legacy_gl_context* ours = nullptr;  ///< made when the driver's is current for the first time
   bool refused = false;               ///< ours could not be made
-  bool current = false;               ///< in some thread
+  std::atomic<bool> current = false;  ///< in some thread
   bool forgotten = false;             ///< the program destroyed it
 };
 using Shared = std::shared_ptr<DropInContext>;
@@ -91,6 +92,7 @@ bool switch_to(DriverContext next, legacy_gl_loader loader,
   const Shared found = next ? find(next) : nullptr;
   legacy_gl_flush();
   if (found && found == current) return make_current();  // another surface at most
+  if (found && found->current) return false;             // in another thread
   leave_current();
   if (!make_current()) {
     if (current && current->ours) legacy_gl_make_current(current->ours);
