@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <numbers>
 
 namespace legacy_gl {
@@ -76,9 +78,32 @@ double length_of_unit_normal(const Context& context, const LinearPart& linear) {
   return (context.transform.rescale_normal_enabled ? linear.rescale_factor : 1.0) / linear.scale;
 }
 
-bool has_specular(const ProgramKey& key) {
+bool has_light(const ProgramKey& key, std::uint8_t bits) {
   return std::any_of(key.lights.begin(), key.lights.end(),
-                     [](const LightRun& run) { return run.count && run.kind & kLightSpecular; });
+                     [=](const LightRun& run) { return run.count && run.kind & bits; });
+}
+
+/// The lights' directions, or the viewer's, depend on the vertex.
+bool reads_position(const ProgramKey& key) {
+  return has_light(key, kLightPoint) || key.local_viewer;
+}
+
+/// Whether some vector is made unit length in object space that has to be so in eye coordinates. By
+/// default only half vectors show it.
+bool angles_matter(const ProgramKey& key) {
+  if (key.quality == Quality::kPrecise)
+    return reads_position(key) || key.normal == NormalMode::kNormalize;
+  if (key.normal == NormalMode::kNormalize) return false;
+  for (const LightRun& run : key.lights)
+    if (run.count && run.kind & kLightSpecular && (run.kind & kLightPoint || key.local_viewer))
+      return true;
+  return false;
+}
+
+/// In multiples of 1/2048, where such steps are not lost on so long a vector.
+glm::dvec3 coarse(const glm::dvec3& v) {
+  return glm::all(glm::lessThan(glm::abs(v), glm::dvec3(4))) ? glm::floor(v * 2048.0) / 2048.0
+                                                             : glm::dvec3(finite(v, 0));
 }
 
 unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
@@ -116,6 +141,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
   if (dirty & kDirtyTransform) update_transform(context);
   const ProgramKey before = key;
   const double length_before = normal_length_;
+  const bool before_only = directions_only_;
   if (dirty & kDirtyKey || layout_changed) {
     key = ProgramKey{};
     key.lit = context.lighting.enabled;
@@ -127,18 +153,18 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     }
   }
   if (key.lit) {
-    choose_space(context, layout);
     if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
       choose_lights(context);
+    choose_space(context, layout);
     key.quality = is_precise(context) && key.light_count() ? Quality::kPrecise : Quality::kDefault;
-    key.angle_error = has_specular(key) && key.space == LightingSpace::kObject && !linear_.exact &&
-                      key.normal != NormalMode::kNormalize;
+    key.angle_error = key.space == LightingSpace::kObject && !linear_.exact && angles_matter(key);
   }
   const bool space_changed = before.space != key.space || before.normal != key.normal ||
-                             before.angle_error != key.angle_error || before.quality != key.quality;
+                             before.angle_error != key.angle_error ||
+                             before.quality != key.quality || before_only != directions_only_;
   if (dirty & kDirtyTransform || space_changed) fill_transform(context);
   if (!key.lit) return;
-  const bool lights_changed = !(before == key);
+  const bool lights_changed = !(before == key) || before_only != directions_only_;
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
   if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
     fill_faces(context);
@@ -157,11 +183,17 @@ void Derived::update_transform(Context& context) {
 
 void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
+  directions_only_ = !context.transform.normalize_enabled && !reads_position(key);
+  // What lights only normals as they are given is a row of object space under any modelview:
+  // (normal × inverse) · l = normal · (inverse × l).
+  if (directions_only_) {
+    key.space = LightingSpace::kObject;
+    key.normal = NormalMode::kAsIs;
+    normal_length_ = 1;
+    return;
+  }
   if (!affine_ || key.position4) key.space = LightingSpace::kEyeHomogeneous;
-  else
-    key.space = linear_.keeps_angles && (linear_.exact || !is_precise(context))
-                    ? LightingSpace::kObject
-                    : LightingSpace::kEyeAxes;
+  else key.space = linear_.keeps_angles ? LightingSpace::kObject : LightingSpace::kEyeAxes;
 
   const bool in_object_space = key.space == LightingSpace::kObject;
   normal_length_ = 1;
@@ -256,7 +288,7 @@ void Derived::choose_lights(Context& context) {
     build_runs();
   }
 
-  const bool specular = has_specular(key);
+  const bool specular = has_light(key, kLightSpecular);
   key.local_viewer = specular && lighting.model.local_viewer;
   key.separate_specular = specular && lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
   key.integer_shininess = {};
@@ -329,6 +361,12 @@ void Derived::fill_lights(const Context& context) {
   const bool in_object_space = key.space == LightingSpace::kObject;
   const double scale = in_object_space ? linear_.scale : 1;
   const glm::dmat3 rotation = in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);
+  // Vectors that meet the normal as it is given.
+  const glm::dmat3 covariant =
+      directions_only_
+          ? linear_.inverse *
+                (context.transform.rescale_normal_enabled ? linear_.rescale_factor : 1.0)
+          : rotation;
   const glm::dvec3 origin =
       key.space == LightingSpace::kEyeHomogeneous ? glm::dvec3(0) : translation;
 
@@ -340,10 +378,10 @@ void Derived::fill_lights(const Context& context) {
     const glm::dvec3 position(light.position_eye);
     if (is_directional(light)) {
       const glm::dvec3 to_light = unit(position);
-      uniforms.position = finite(rotation * to_light, 0);
-      uniforms_low.position = low(rotation * to_light, 0);
-      const glm::dvec3 half_vector = rotation * unit(to_light + glm::dvec3(0, 0, 1));
-      uniforms.half_vector = finite(half_vector, 0);
+      uniforms.position = finite(covariant * to_light, 0);
+      uniforms_low.position = low(covariant * to_light, 0);
+      const glm::dvec3 half_vector = covariant * unit(to_light + glm::dvec3(0, 0, 1));
+      uniforms.half_vector = finite(coarse(half_vector), 0);
       uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
     } else {
       const glm::dvec3 point = rotation * (position / light.position_eye.w - origin) / scale;

@@ -54,6 +54,7 @@ class Derived {
   bool affine_ = true;
   bool linear_known_ = false;
   double normal_length_ = 1;  ///< of a unit normal after the modelview, where the products take it
+  bool directions_only_ = false;  ///< lights meet the normals as they are given
   VertexLayout layout_;
   std::vector<ActiveLight> active_;
 };

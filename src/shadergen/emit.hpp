@@ -34,7 +34,8 @@ void emit_lighting_blocks(Writer& w, const ProgramKey& key);
 /// Functions that lighting calls: unit vectors, powers.
 void emit_lighting_functions(Writer& w, const ProgramKey& key);
 
-/// Statements that turn `position` and `normal` into `vertex` and `n` in lighting space.
+/// Statements that turn `position` (where it is read) and `normal` into `vertex` and `n` in
+/// lighting space.
 void emit_lighting_space(Writer& w, const ProgramKey& key);
 
 /// Statements that sum the lights: leaves vec4 front_lit, and back_lit, front_specular,
@@ -51,6 +52,9 @@ void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
                            const std::string& index);
 void emit_precise_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                               const std::string& index);
+
+/// Some light is a point, or the viewer is local.
+bool lighting_reads_position(const ProgramKey& key);
 
 /// The material property of a face as a GLSL expression: "" where it is in the blocks' products
 /// already.

@@ -71,6 +71,14 @@ float power_of_complement(float q, float s) {
 
 )";
 
+constexpr const char* kComplementOfUnits =
+    R"(// 1 - dot(n, h) of unit vectors, exact where the two nearly meet: e is n - h
+float complement_of_units(vec3 e) {
+  return min(0.5 * dot(e, e), 1.0);
+}
+
+)";
+
 constexpr const char* kComplement =
     R"(// 1 - dot(n, h) for a unit vector h, exact where the two nearly meet: e is n - h, half_excess
 // (|n|^2 - 1) / 2
@@ -102,7 +110,8 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
     w.raw(precise ? kPrecisePowerOfComplement : kPowerOfComplement);
   }
   if (!specular) return;
-  if (!precise) w.raw(kComplement);
+  if (!precise && key.normal == NormalMode::kNormalize) w.raw(kComplementOfUnits);
+  else if (!precise && half_vectors) w.raw(kComplement);
   if (key.integer_shininess[0] != kGeneralShininess)
     emit_integer_shine(w, "front_shine", key.integer_shininess[0]);
   if (key.two_side && key.integer_shininess[1] != kGeneralShininess)

@@ -62,20 +62,33 @@ void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                       const std::string& light) {
   if (key.local_viewer) w.line("vec3 h = unit(to_light + to_viewer);");
   else if (kind & kLightPoint) w.line("vec3 h = unit(to_light + viewer.xyz);");
-  else w.line("vec3 h = " + light + ".half_vector.xyz;");
+  else if (key.normal == NormalMode::kNormalize) w.line("vec3 h = " + light + ".half_vector.xyz;");
+  else {
+    w.line("float n_dot_h = dot(n_coarse, " + light + ".half_vector.xyz);");
+    w.line("float n_dot_h_rest = dot(n_rest, " + light + ".half_vector.xyz) + dot(n, " + light +
+           ".attenuation.xyz);");
+  }
+}
+
+/// The half vector is the light's own, known to double precision.
+bool half_vector_is_uniform(const ProgramKey& key, std::uint8_t kind) {
+  return !(kind & kLightPoint) && !key.local_viewer;
 }
 
 /// 1 - dot(n, h) of a face.
 std::string complement(const ProgramKey& key, std::uint8_t kind, unsigned face,
                        const std::string& light) {
-  const std::string half_excess = key.normal == NormalMode::kNormalize ? "0.0" : "half_excess";
-  if (key.quality == Quality::kPrecise)
-    return std::string("complement(") + (face ? "Two(-n.hi, -n.lo)" : "n") + ", h, " + half_excess +
-           ")";
   const std::string n = face ? "-n" : "n";
-  std::string chord = n + " - h";
-  if (!(kind & kLightPoint) && !key.local_viewer) chord += " - " + light + ".attenuation.xyz";
-  return "complement(" + chord + ", " + n + ", h, " + half_excess + ")";
+  if (key.quality == Quality::kPrecise)
+    return std::string("complement(") + (face ? "Two(-n.hi, -n.lo)" : n) + ", h)";
+  const bool unit_normal = key.normal == NormalMode::kNormalize;
+  if (half_vector_is_uniform(key, kind) && unit_normal)
+    return "complement_of_units((" + n + " - h) - " + light + ".attenuation.xyz)";
+  if (half_vector_is_uniform(key, kind))
+    return face ? "min((1.0 + n_dot_h) + n_dot_h_rest, 1.0)"
+                : "min((1.0 - n_dot_h) - n_dot_h_rest, 1.0)";
+  if (unit_normal) return "complement_of_units(" + n + " - h)";
+  return "complement(" + n + " - h, " + n + ", h, half_excess)";
 }
 
 std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
@@ -117,19 +130,22 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
   if (!sum.empty()) w.line(side + "_sum += " + (scaled ? "strength * (" + sum + ")" : sum) + ";");
 }
 
-bool has_specular(const ProgramKey& key) {
-  for (const LightRun& run : key.lights)
-    if (run.count && run.kind & kLightSpecular) return true;
-  return false;
-}
-
-/// (|n|^2 - 1) / 2 without the rounding of |n|^2: the high halves have 12 bits, their products are
-/// exact.
-void emit_half_excess(Writer& w, const ProgramKey& key) {
-  if (key.quality == Quality::kPrecise) return w.line("float half_excess = excess(n);");
-  w.line("vec3 high = floor(n * 2048.0) * (1.0 / 2048.0);");
-  w.line("vec3 low = n - high;");
-  w.line("float half_excess = 0.5 * ((dot(high, high) - 1.0) + dot(low, high + n));");
+/// The normal as a multiple of 1/2048 and the rest: the dot product of two such multiples is exact.
+/// From them also (|n|^2 - 1) / 2.
+void emit_normal_split(Writer& w, const ProgramKey& key) {
+  bool specular = false, half_vectors = false;
+  for (const LightRun& run : key.lights) {
+    if (!run.count || !(run.kind & kLightSpecular)) continue;
+    specular = true;
+    half_vectors |= !half_vector_is_uniform(key, run.kind);
+  }
+  if (!specular || key.normal == NormalMode::kNormalize) return;
+  // Through integers, which stay in range where the normal is huge.
+  w.line("vec3 n_coarse = vec3(ivec3(n * 2048.0)) * (1.0 / 2048.0);");
+  w.line("vec3 n_rest = n - n_coarse;");
+  if (!half_vectors) return;
+  w.line(
+      "float half_excess = 0.5 * ((dot(n_coarse, n_coarse) - 1.0) + dot(n_rest, n_coarse + n));");
   if (key.angle_error) w.line("half_excess += 0.5 * dot(n, angle_error * n);");
 }
 
@@ -149,6 +165,13 @@ void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::
 
 }  // namespace
 
+bool lighting_reads_position(const ProgramKey& key) {
+  if (key.local_viewer) return true;
+  for (const LightRun& run : key.lights)
+    if (run.count && run.kind & kLightPoint) return true;
+  return false;
+}
+
 std::string material_expression(const ProgramKey& key, unsigned face, unsigned property) {
   switch (key.material[face][property]) {
     case MaterialSource::kUniform: return "";
@@ -161,16 +184,16 @@ std::string material_expression(const ProgramKey& key, unsigned face, unsigned p
 void emit_lighting_space(Writer& w, const ProgramKey& key) {
   if (key.quality == Quality::kPrecise) return emit_precise_space(w, key);
   const std::string position = key.lighting_position ? "lighting_position" : "position";
-  switch (key.space) {
-    case LightingSpace::kObject: w.line("vec3 vertex = " + position + ".xyz;"); break;
-    case LightingSpace::kEyeAxes:
-      w.line("vec3 vertex = mat3(modelview) * " + position + ".xyz;");
-      break;
-    case LightingSpace::kEyeHomogeneous:
-      w.line("vec4 position_eye = modelview * " + position + ";");
-      w.line("vec3 vertex = position_eye.xyz / position_eye.w;");
-      break;
-  }
+  if (lighting_reads_position(key)) switch (key.space) {
+      case LightingSpace::kObject: w.line("vec3 vertex = " + position + ".xyz;"); break;
+      case LightingSpace::kEyeAxes:
+        w.line("vec3 vertex = mat3(modelview) * " + position + ".xyz;");
+        break;
+      case LightingSpace::kEyeHomogeneous:
+        w.line("vec4 position_eye = modelview * " + position + ";");
+        w.line("vec3 vertex = position_eye.xyz / position_eye.w;");
+        break;
+    }
   const std::string normal =
       key.space == LightingSpace::kObject ? "normal" : "normal_matrix * normal";
   switch (key.normal) {
@@ -183,7 +206,7 @@ void emit_lighting_space(Writer& w, const ProgramKey& key) {
 
 void emit_lights(Writer& w, const ProgramKey& key) {
   for (unsigned face = 0; face < face_count(key); ++face) emit_scene(w, key, face);
-  if (has_specular(key) && key.normal != NormalMode::kNormalize) emit_half_excess(w, key);
+  if (key.quality != Quality::kPrecise) emit_normal_split(w, key);
   if (key.quality == Quality::kPrecise) emit_precise_viewer(w, key);
   else if (key.local_viewer) w.line("vec3 to_viewer = unit(viewer.xyz - vertex);");
 

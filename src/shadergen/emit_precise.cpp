@@ -82,6 +82,17 @@ Two two_unit(Two v) {
 
 )";
 
+// In object space, of a vector that has unit length in eye coordinates.
+constexpr const char* kBentUnit =
+    R"(// A direction (bend -1) or a normal (bend 1) of unit length under a modelview that keeps angles only
+// nearly.
+Two bent_unit(Two v, float bend) {
+  Two w = two_unit(v);
+  return Two(w.hi, w.lo - (0.5 * bend * dot(w.hi, angle_error * w.hi)) * w.hi);
+}
+
+)";
+
 constexpr const char* kLinear = R"(Two linear(mat3 m, mat3 m_low, vec3 v) {
   Two x = two_product(m[0], v.xxx);
   Two y = two_product(m[1], v.yyy);
@@ -117,13 +128,24 @@ Two homogeneous(mat4 m, mat4 m_low, vec4 v) {
 
 )";
 
-constexpr const char* kComplement = R"(// 1 - dot(n, h) for a unit vector h; n_excess is excess(n)
-float complement(Two n, Two h, float n_excess) {
-  vec3 e = (n.hi - h.hi) + (n.lo - h.lo);
-  return min(n_excess < 0.5 ? 0.5 * dot(e, e) - n_excess : 1.0 - two_dot(n, h), 1.0);
+constexpr const char* kComplement = R"(// 1 - dot(n, h)
+float complement(Two n, Two h) {
+  vec3 n_coarse = coarse(n.hi);
+  vec3 h_coarse = coarse(h.hi);
+  return min((1.0 - dot(n_coarse, h_coarse)) -
+             (dot(n.hi, h.hi - h_coarse) + dot(n.hi - n_coarse, h_coarse) + dot(n.hi, h.lo) +
+              dot(n.lo, h.hi)), 1.0);
 }
 
 )";
+
+std::string direction_unit(const ProgramKey& key, const std::string& v) {
+  return key.angle_error ? "bent_unit(" + v + ", -1.0)" : "two_unit(" + v + ")";
+}
+
+std::string normal_unit(const ProgramKey& key, const std::string& v) {
+  return key.angle_error ? "bent_unit(" + v + ", 1.0)" : "two_unit(" + v + ")";
+}
 
 bool transforms(const ProgramKey& key) {
   return key.space != LightingSpace::kObject || key.normal == NormalMode::kMatrix;
@@ -134,6 +156,7 @@ bool transforms(const ProgramKey& key) {
 void emit_precise_functions(Writer& w, const ProgramKey& key) {
   w.raw(kTwo);
   w.raw(kUnit);
+  if (key.angle_error) w.raw(kBentUnit);
   if (transforms(key)) w.raw(kLinear);
   if (key.space == LightingSpace::kEyeHomogeneous) w.raw(kHomogeneous);
   for (const LightRun& run : key.lights)
@@ -142,21 +165,21 @@ void emit_precise_functions(Writer& w, const ProgramKey& key) {
 
 void emit_precise_space(Writer& w, const ProgramKey& key) {
   const std::string position = key.lighting_position ? "lighting_position" : "position";
-  switch (key.space) {
-    case LightingSpace::kObject:
-      w.line("Two vertex = Two(" + position + ".xyz, vec3(0.0));");
-      break;
-    case LightingSpace::kEyeAxes:
-      w.line("Two vertex = linear(mat3(modelview), mat3(modelview_low), " + position + ".xyz);");
-      break;
-    case LightingSpace::kEyeHomogeneous:
-      w.line("Two vertex = homogeneous(modelview, modelview_low, " + position + ");");
-      w.line(
-          "float finite = dot(vec4(modelview[0].w, modelview[1].w, modelview[2].w, "
-          "modelview[3].w), " +
-          position + ") == 0.0 ? 0.0 : 1.0;");
-      break;
-  }
+  if (lighting_reads_position(key)) switch (key.space) {
+      case LightingSpace::kObject:
+        w.line("Two vertex = Two(" + position + ".xyz, vec3(0.0));");
+        break;
+      case LightingSpace::kEyeAxes:
+        w.line("Two vertex = linear(mat3(modelview), mat3(modelview_low), " + position + ".xyz);");
+        break;
+      case LightingSpace::kEyeHomogeneous:
+        w.line("Two vertex = homogeneous(modelview, modelview_low, " + position + ");");
+        w.line(
+            "float finite = dot(vec4(modelview[0].w, modelview[1].w, modelview[2].w, "
+            "modelview[3].w), " +
+            position + ") == 0.0 ? 0.0 : 1.0;");
+        break;
+    }
   switch (key.normal) {
     case NormalMode::kAsIs: w.line("Two n = Two(normal, vec3(0.0));"); break;
     case NormalMode::kScaled:
@@ -167,7 +190,8 @@ void emit_precise_space(Writer& w, const ProgramKey& key) {
       w.line("Two n = linear(normal_matrix, normal_matrix_low, normal);");
       break;
     case NormalMode::kNormalize:
-      if (key.space == LightingSpace::kObject) w.line("Two n = two_unit(Two(normal, vec3(0.0)));");
+      if (key.space == LightingSpace::kObject)
+        w.line("Two n = " + normal_unit(key, "Two(normal, vec3(0.0))") + ";");
       else
         w.line(
             "Two n = two_unit(linear(normal_matrix, normal_matrix_low, normal * "
@@ -179,8 +203,10 @@ void emit_precise_space(Writer& w, const ProgramKey& key) {
 void emit_precise_viewer(Writer& w, const ProgramKey& key) {
   if (!key.local_viewer) return;
   const std::string finite = key.space == LightingSpace::kEyeHomogeneous ? " * finite" : "";
-  w.line("Two to_viewer = two_unit(add(Two(viewer.xyz" + finite + ", viewer_low.xyz" + finite +
-         "), Two(-vertex.hi, -vertex.lo)));");
+  w.line("Two to_viewer = " +
+         direction_unit(key, "add(Two(viewer.xyz" + finite + ", viewer_low.xyz" + finite +
+                                 "), Two(-vertex.hi, -vertex.lo))") +
+         ";");
 }
 
 void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
@@ -194,7 +220,7 @@ void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
   const std::string finite = key.space == LightingSpace::kEyeHomogeneous ? " * finite" : "";
   w.line("Two delta = add(Two(" + light + ".position.xyz" + finite + ", " + rest + ".position.xyz" +
          finite + "), Two(-vertex.hi, -vertex.lo));");
-  w.line("Two to_light = two_unit(delta);");
+  w.line("Two to_light = " + direction_unit(key, "delta") + ";");
   if (kind & kLightAttenuated) w.line("float distance = dot(delta.hi, to_light.hi);");
   if (kind & kLightSpot)
     w.line("vec3 chord = (to_light.hi + " + light + ".spot_direction.xyz) + (to_light.lo + " +
@@ -204,9 +230,10 @@ void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
 void emit_precise_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                               const std::string& index) {
   const std::string light = "lights[" + index + "]";
-  if (key.local_viewer) w.line("Two h = two_unit(add(to_light, to_viewer));");
+  if (key.local_viewer) w.line("Two h = " + direction_unit(key, "add(to_light, to_viewer)") + ";");
   else if (kind & kLightPoint)
-    w.line("Two h = two_unit(add(to_light, Two(viewer.xyz, viewer_low.xyz)));");
+    w.line("Two h = " + direction_unit(key, "add(to_light, Two(viewer.xyz, viewer_low.xyz))") +
+           ";");
   else w.line("Two h = Two(" + light + ".half_vector.xyz, " + light + ".attenuation.xyz);");
 }
 

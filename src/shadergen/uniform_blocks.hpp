@@ -47,16 +47,17 @@ static_assert(offsetof(TransformUniforms, angle_error) == 224);
 static_assert(sizeof(TransformUniforms) == 272);
 
 struct LightUniforms {
-  glm::vec4 position{0};     ///< lighting space; a directional light: the unit vector to it
-  glm::vec4 half_vector{0};  ///< directional with an infinite viewer: unit half vector
-  /// k0, k1, k2 for distances in lighting space, w: spot exponent. A directional light: what
-  /// float32 rounded off half_vector.
+  glm::vec4 position{0};  ///< lighting space; a directional light: the unit vector to it
+  /// Directional with an infinite viewer: half vector, in multiples of 1/2048.
+  glm::vec4 half_vector{0};
+  /// k0, k1, k2 for distances in lighting space, w: spot exponent. A directional light: the rest of
+  /// its half vector.
   glm::vec4 attenuation{1, 0, 0, 0};
   glm::vec4 spot_direction{0, 0, -1, 2};  ///< unit; w: 2 sin^2(cutoff/2)
 };
 inline constexpr const char* kLightStructText = R"(struct Light {
   vec4 position;        // in lighting space; directional: the unit vector to the light
-  vec4 half_vector;     // directional, infinite viewer: the unit half vector
+  vec4 half_vector;     // directional, infinite viewer: in multiples of 1/2048
   vec4 attenuation;     // k0, k1, k2, spot exponent; directional: the rest of half_vector
   vec4 spot_direction;  // xyz: unit vector; w: 2 sin^2(cutoff / 2)
 };

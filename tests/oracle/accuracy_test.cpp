@@ -26,7 +26,9 @@ constexpr std::uint32_t seed = 1;
 ErrorStatistics measure(RenderContext& context, const LightingClass& lighting_class) {
   Image picture;
   SampleTarget target;
-  target.gl = &context.gl;
+  target.draw = [&](const Batch& batch, std::uint32_t number) {
+    draw_batch(context.gl, batch, number, tiles_across);
+  };
   target.begin = [&] {
     context.make_current();
     context.gl.ClearColor(0, 0, 0, 0);

@@ -45,6 +45,17 @@ Matrix4 placing_projection(const Matrix4& modelview, float object_radius) {
   return out;
 }
 
+std::vector<Vertex> drawn_vertices(const Batch& batch, std::uint32_t number) {
+  if (!batch.alternate_faces) return batch.vertices;
+  std::vector<Vertex> triangles;
+  triangles.reserve(3 * batch.vertices.size());
+  for (int i = 0; i < batch_size; ++i)
+    append_triangle(triangles, batch, i, faces_back(batch, number, i));
+  return triangles;
+}
+
+GLenum drawn_mode(const Batch& batch) { return batch.alternate_faces ? GL_TRIANGLES : GL_POINTS; }
+
 void draw_batch(const GlFunctions& gl, const Batch& batch, std::uint32_t number, int tiles_across) {
   const auto across = std::uint32_t(tiles_across);
   gl.Viewport(GLint(number % across) * batch_side, GLint(number / across % across) * batch_side,
@@ -53,23 +64,15 @@ void draw_batch(const GlFunctions& gl, const Batch& batch, std::uint32_t number,
   gl.Disable(GL_DITHER);
   gl.ShadeModel(GL_FLAT);
 
-  std::vector<Vertex> triangles;
-  const std::vector<Vertex>* vertices = &batch.vertices;
-  if (batch.alternate_faces) {
-    triangles.reserve(3 * batch.vertices.size());
-    for (int i = 0; i < batch_size; ++i) {
-      append_triangle(triangles, batch, i, faces_back(batch, number, i));
-    }
-    vertices = &triangles;
-  }
+  const std::vector<Vertex> vertices = drawn_vertices(batch, number);
   constexpr auto stride = GLsizei(sizeof(Vertex));
-  gl.VertexPointer(4, GL_FLOAT, stride, vertices->front().position_object.data());
-  gl.NormalPointer(GL_FLOAT, stride, vertices->front().normal_object.data());
-  gl.ColorPointer(4, GL_FLOAT, stride, vertices->front().color.data());
+  gl.VertexPointer(4, GL_FLOAT, stride, vertices.front().position_object.data());
+  gl.NormalPointer(GL_FLOAT, stride, vertices.front().normal_object.data());
+  gl.ColorPointer(4, GL_FLOAT, stride, vertices.front().color.data());
   gl.EnableClientState(GL_VERTEX_ARRAY);
   gl.EnableClientState(GL_NORMAL_ARRAY);
   gl.EnableClientState(GL_COLOR_ARRAY);
-  gl.DrawArrays(batch.alternate_faces ? GL_TRIANGLES : GL_POINTS, 0, GLsizei(vertices->size()));
+  gl.DrawArrays(drawn_mode(batch), 0, GLsizei(vertices.size()));
 }
 
 double ErrorStatistics::root_mean_square() const {
@@ -131,7 +134,7 @@ ErrorStatistics run_class(const LightingClass& lighting_class, std::uint32_t see
     target.begin();
     for (std::uint32_t t = 0; t < tiles; ++t) {
       batches[t] = lighting_class.make(seed, picture * tiles + t);
-      draw_batch(*target.gl, batches[t], picture * tiles + t, tiles_across);
+      target.draw(batches[t], picture * tiles + t);
     }
     const float* pixels = target.read();
     for (std::uint32_t t = 0; t < tiles; ++t) {

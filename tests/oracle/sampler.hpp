@@ -21,6 +21,11 @@ void apply_state(const GlFunctions& gl, const State& state, const Matrix4& proje
 // Places object-space [-radius, radius]^3 on the viewport whatever the modelview is.
 Matrix4 placing_projection(const Matrix4& modelview, float object_radius);
 
+// What draw_batch draws, for targets that do not speak OpenGL 1.x: separate points, or triangles
+// of which the last vertex is the sample.
+std::vector<Vertex> drawn_vertices(const Batch& batch, std::uint32_t number);
+GLenum drawn_mode(const Batch& batch);
+
 // Draws batch `number` on its tile; the batches of one picture fill a square of tiles_across^2.
 void draw_batch(const GlFunctions& gl, const Batch& batch, std::uint32_t number, int tiles_across);
 
@@ -44,10 +49,11 @@ ErrorStatistics judge_batch(const Batch& batch, std::uint32_t number, const floa
                             std::size_t stride);
 
 // Runs `picture_count` pictures of tiles_across^2 batches of a class. `begin` makes the target
-// current and clears it, `read` returns its width * width RGBA floats after all draws.
+// current and clears it, `draw` draws batch `number` on its tile, `read` returns its width * width
+// RGBA floats after all draws.
 struct SampleTarget {
-  const GlFunctions* gl;
   std::function<void()> begin;
+  std::function<void(const Batch& batch, std::uint32_t number)> draw;
   std::function<const float*()> read;
 };
 
