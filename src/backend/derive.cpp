@@ -68,6 +68,16 @@ bool shininess_comes_with_vertices(const ProgramKey& key) {
          key.material[kBack][kShininess] == MaterialSource::kVertex;
 }
 
+Quality quality_of(const Context& context) {
+  switch (context.options.quality) {
+    case LEGACY_GL_QUALITY_FASTEST: return Quality::kFastest;
+    case LEGACY_GL_QUALITY_PRECISE: return Quality::kPrecise;
+    case LEGACY_GL_QUALITY_DEFAULT:
+    case LEGACY_GL_QUALITY_PER_FRAGMENT: break;
+  }
+  return Quality::kDefault;
+}
+
 bool is_precise(const Context& context) {
   return context.options.quality == LEGACY_GL_QUALITY_PRECISE;
 }
@@ -93,11 +103,31 @@ bool reads_position(const ProgramKey& key) {
 bool angles_matter(const ProgramKey& key) {
   if (key.quality == Quality::kPrecise)
     return reads_position(key) || key.normal == NormalMode::kNormalize;
-  if (key.normal == NormalMode::kNormalize) return false;
+  if (key.normal == NormalMode::kNormalize || key.quality == Quality::kFastest) return false;
   for (const LightRun& run : key.lights)
     if (run.count && run.kind & kLightSpecular && (run.kind & kLightPoint || key.local_viewer))
       return true;
   return false;
+}
+
+/// Larger products of light and material are scaled, so that sums of them stay in float32's range.
+constexpr double kLargestProduct = 1e36;
+
+/// Repeated squaring of the complement has 1e-7 of the largest power: too little for a specular
+/// colour that makes a power of 1e-7 visible.
+constexpr double kSquaringIsPlenty = 1e3;
+
+double largest_component(const glm::dvec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// A unit of distance in which the coefficients of attenuation are within float32's range: a power
+/// of two, and 1 where they are so anyhow.
+double attenuation_unit(double k1, double k2) {
+  const auto ordinary = [](double k) { return k == 0 || (k > 1e-30 && k < 1e30); };
+  if (ordinary(k1) && ordinary(k2)) return 1;
+  const double size = k2 > 0 ? 1 / std::sqrt(k2) : 1 / k1;
+  return std::exp2(std::clamp(std::round(std::log2(size)), -120.0, 120.0));
 }
 
 /// In multiples of 1/2048, where such steps are not lost on so long a vector.
@@ -156,7 +186,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
       choose_lights(context);
     choose_space(context, layout);
-    key.quality = is_precise(context) && key.light_count() ? Quality::kPrecise : Quality::kDefault;
+    key.quality = key.light_count() ? quality_of(context) : Quality::kDefault;
     key.angle_error = key.space == LightingSpace::kObject && !linear_.exact && angles_matter(key);
   }
   const bool space_changed = before.space != key.space || before.normal != key.normal ||
@@ -227,6 +257,7 @@ void Derived::choose_materials(const Context& context, const VertexLayout& layou
 
 void Derived::choose_lights(Context& context) {
   active_.clear();
+  double largest = 0, largest_specular = 0;
   const LightingState& lighting = context.lighting;
   for (unsigned i = 0; i < lighting.lights.size(); ++i) {
     const Light& light = lighting.lights[i];
@@ -250,8 +281,12 @@ void Derived::choose_lights(Context& context) {
     bool ambient = false, diffuse = false, specular = false;
     for (unsigned face = 0; face < face_count(key); ++face) {
       const auto adds = [&](unsigned property, const glm::vec4& color) {
-        return !is_black(rgb(color) * uniform_material(context, key, face, property)) &&
-               active.strength != 0;
+        const glm::dvec3 product =
+            rgb(color) * uniform_material(context, key, face, property) * active.strength;
+        const double size = largest_component(product);
+        largest = std::max(largest, size);
+        if (property == kSpecular) largest_specular = std::max(largest_specular, size);
+        return !is_black(product);
       };
       ambient |= adds(kAmbient, light.ambient);
       diffuse |= adds(kDiffuse, light.diffuse);
@@ -288,6 +323,16 @@ void Derived::choose_lights(Context& context) {
     build_runs();
   }
 
+  for (unsigned face = 0; face < face_count(key); ++face) {
+    const Material& material = lighting.materials[face];
+    largest = std::max({largest, largest_component(rgb(material.emission)),
+                        largest_component(rgb(material.ambient) * rgb(lighting.model.ambient))});
+  }
+  sum_scale_ = 1;
+  if (key.light_count() && largest > kLargestProduct && std::isfinite(largest))
+    sum_scale_ = std::exp2(std::ceil(std::log2(largest / kLargestProduct)));
+  key.scaled_sums = sum_scale_ != 1;
+
   const bool specular = has_light(key, kLightSpecular);
   key.local_viewer = specular && lighting.model.local_viewer;
   key.separate_specular = specular && lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
@@ -297,7 +342,9 @@ void Derived::choose_lights(Context& context) {
     const bool whole = !is_precise(context) && shininess == std::floor(shininess) &&
                        shininess >= 0 && shininess <= 128;
     key.integer_shininess[face] =
-        whole && key.material[face][kShininess] == MaterialSource::kUniform
+        whole && key.material[face][kShininess] == MaterialSource::kUniform &&
+                largest_specular < kSquaringIsPlenty &&
+                key.material[face][kSpecular] != MaterialSource::kColor
             ? static_cast<std::uint8_t>(shininess)
             : kGeneralShininess;
   }
@@ -381,7 +428,8 @@ void Derived::fill_lights(const Context& context) {
       uniforms.position = finite(covariant * to_light, 0);
       uniforms_low.position = low(covariant * to_light, 0);
       const glm::dvec3 half_vector = covariant * unit(to_light + glm::dvec3(0, 0, 1));
-      uniforms.half_vector = finite(coarse(half_vector), 0);
+      uniforms.half_vector =
+          finite(key.quality == Quality::kFastest ? half_vector : coarse(half_vector), 0);
       uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
     } else {
       const glm::dvec3 point = rotation * (position / light.position_eye.w - origin) / scale;
@@ -390,8 +438,11 @@ void Derived::fill_lights(const Context& context) {
       const double k0 = static_cast<double>(light.constant_attenuation);
       const double k1 = static_cast<double>(light.linear_attenuation) * scale;
       const double k2 = static_cast<double>(light.quadratic_attenuation) * scale * scale;
+      const double unit_of_distance = attenuation_unit(k1, k2);
+      uniforms.half_vector.w = static_cast<float>(1 / unit_of_distance);
       uniforms.attenuation =
-          finite(glm::dvec3(k0, k1, k2), static_cast<double>(light.spot_exponent));
+          finite(glm::dvec3(k0, k1 * unit_of_distance, k2 * unit_of_distance * unit_of_distance),
+                 static_cast<double>(light.spot_exponent));
       // A light whose constant attenuation is folded meets the widest kind with attenuation 1.
       if (k1 == 0 && k2 == 0) uniforms.attenuation = {1, 0, 0, light.spot_exponent};
       if (is_spot(light)) {
@@ -425,9 +476,9 @@ void Derived::fill_faces(const Context& context) {
       if (folds_into_scene(active.kind)) ambient_light += rgb(light.ambient) * active.strength;
       if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
       const auto product = [&](unsigned property, const glm::vec4& color, double factor) {
-        return finite(
-            rgb(color) * uniform_material(context, key, face, property) * active.strength * factor,
-            0);
+        return finite(rgb(color) * uniform_material(context, key, face, property) *
+                          active.strength * (factor / sum_scale_),
+                      0);
       };
       const double shine_of_length =
           std::pow(normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
@@ -435,13 +486,14 @@ void Derived::fill_faces(const Context& context) {
       uniforms.products.push_back({ambient ? product(kAmbient, light.ambient, 1) : glm::vec4(0),
                                    product(kDiffuse, light.diffuse, normal_length_),
                                    product(kSpecular, light.specular, shine_of_length)});
+      uniforms.products.back().diffuse.w = static_cast<float>(sum_scale_);
     }
     const Material& material = context.lighting.materials[face];
     glm::dvec3 scene(0);
     if (key.material[face][kAmbient] == MaterialSource::kUniform)
       scene += ambient_light * rgb(material.ambient);
     if (key.material[face][kEmission] == MaterialSource::kUniform) scene += rgb(material.emission);
-    uniforms.head.scene = finite(scene, static_cast<double>(material.diffuse.a));
+    uniforms.head.scene = finite(scene / sum_scale_, static_cast<double>(material.diffuse.a));
     uniforms.head.ambient_light = finite(ambient_light, static_cast<double>(material.shininess));
   }
 }

@@ -55,6 +55,7 @@ class Derived {
   bool linear_known_ = false;
   double normal_length_ = 1;  ///< of a unit normal after the modelview, where the products take it
   bool directions_only_ = false;  ///< lights meet the normals as they are given
+  double sum_scale_ = 1;          ///< what the products were divided by (scaled_sums)
   VertexLayout layout_;
   std::vector<ActiveLight> active_;
 };

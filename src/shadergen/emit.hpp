@@ -42,6 +42,10 @@ void emit_lighting_space(Writer& w, const ProgramKey& key);
 /// back_specular where the key has them. Reads `vertex` and `n`.
 void emit_lights(Writer& w, const ProgramKey& key);
 
+/// Leaves `distance` to a point light, in the unit that the light's attenuation has.
+void emit_distance(Writer& w, const ProgramKey& key, const std::string& light,
+                   const std::string& expression);
+
 // The same steps in pairs of floats (the precise quality).
 void emit_precise_functions(Writer& w, const ProgramKey& key);
 void emit_precise_space(Writer& w, const ProgramKey& key);

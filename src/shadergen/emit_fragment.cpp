@@ -1,5 +1,5 @@
-// The fragment stage, in the specification's order: the face's colours, texturing (GL 2.1 spec 3.8),
-// colour sum (3.9), fog (3.10), alpha test (4.1.4).
+// The fragment stage, in the specification's order: the face's colours, texturing (GL 2.1
+// spec 3.8), colour sum (3.9), fog (3.10), alpha test (4.1.4).
 #include "shadergen/emit.hpp"
 
 namespace legacy_gl {
@@ -9,7 +9,8 @@ namespace {
 /// Chooses the colours of the face that is drawn.
 FragmentColors emit_face(Writer& w, const ProgramKey& key) {
   if (key.two_side && key.back_only) return {"back_color", "back_secondary"};
-  if (!key.two_side) return {"front_color", "front_secondary"};
+  // Points face front (GL 2.1 spec 2.14.1); softpipe's gl_FrontFacing has them face back.
+  if (!key.two_side || key.points) return {"front_color", "front_secondary"};
   w.line("vec4 color = gl_FrontFacing ? front_color : back_color;");
   if (has_secondary(key))
     w.line("vec3 secondary = gl_FrontFacing ? front_secondary : back_secondary;");

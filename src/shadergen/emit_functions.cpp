@@ -21,7 +21,28 @@ void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
       w.line("y = y * (2.0 - y);");
       if (exponent & bit) w.line("y = y + q * (1.0 - y);");
     }
-    w.line("return 1.0 - y;");
+    w.line("return max(1.0 - y, 0.0);");
+  }
+  w.close();
+  w.blank();
+}
+
+/// The fastest quality: x to the power n by repeated squaring.
+void emit_fast_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
+  w.line("// x^" + std::to_string(exponent));
+  w.open("float " + name + "(float x) {");
+  if (exponent == 0) {
+    w.line("return 1.0;  // 0^0 is 1 (GL 2.1 spec 2.14.1)");
+  } else {
+    w.line("x = max(x, 0.0);");
+    w.line("float y = x;");
+    unsigned bit = 1;
+    while (bit <= exponent / 2) bit <<= 1;
+    for (bit >>= 1; bit; bit >>= 1) {
+      w.line("y *= y;");
+      if (exponent & bit) w.line("y *= x;");
+    }
+    w.line("return y;");
   }
   w.close();
   w.blank();
@@ -29,6 +50,31 @@ void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
 
 constexpr const char* kUnit = R"(vec3 unit(vec3 v) {
   return v * inversesqrt(max(dot(v, v), 1e-37));
+}
+
+)";
+
+constexpr const char* kUnitOfAny =
+    R"(// Of a vector whose square may leave the range: an exact power of two brings its largest component
+// near 1 first.
+vec3 unit_of_any(vec3 v) {
+  vec3 a = abs(v);
+  int exponent = floatBitsToInt(max(max(a.x, a.y), a.z)) & 0x7f800000;
+  v *= intBitsToFloat(min(0x7f000000 - exponent, 0x7e800000));
+  return v * inversesqrt(max(dot(v, v), 1e-37));
+}
+
+)";
+
+constexpr const char* kFastUnitOfAny = R"(vec3 unit_of_any(vec3 v) {
+  return v * inversesqrt(max(dot(v, v), 1e-37));
+}
+
+)";
+
+constexpr const char* kPower = R"(// x^s; 0^0 is 1
+float power(float x, float s) {
+  return x > 0.0 ? exp2(s * log2(x)) : (s == 0.0 ? 1.0 : 0.0);
 }
 
 )";
@@ -103,19 +149,29 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
                    (key.two_side && key.integer_shininess[1] == kGeneralShininess));
   const bool half_vectors = specular && (key.local_viewer || any_light(key, kLightPoint));
   const bool precise = key.quality == Quality::kPrecise;
+  const bool fastest = key.quality == Quality::kFastest;
+  const bool any_length =
+      key.normal == NormalMode::kNormalize || key.local_viewer || any_light(key, kLightPoint);
   if (precise) emit_precise_functions(w, key);
-  else if (key.normal == NormalMode::kNormalize || half_vectors) w.raw(kUnit);
-  if (general_shininess || any_light(key, kLightSpotExponent)) {
+  else if (any_length) w.raw(fastest ? kFastUnitOfAny : kUnitOfAny);
+  if (!precise && half_vectors) w.raw(kUnit);
+  const bool powers = general_shininess || any_light(key, kLightSpotExponent);
+  if (powers && fastest) {
+    w.raw(kPower);
+  } else if (powers) {
     w.raw(kLog2OfComplement);
     w.raw(precise ? kPrecisePowerOfComplement : kPowerOfComplement);
   }
   if (!specular) return;
-  if (!precise && key.normal == NormalMode::kNormalize) w.raw(kComplementOfUnits);
-  else if (!precise && half_vectors) w.raw(kComplement);
+  if (key.quality == Quality::kDefault) {
+    if (key.normal == NormalMode::kNormalize) w.raw(kComplementOfUnits);
+    else if (half_vectors) w.raw(kComplement);
+  }
+  const auto emit_shine = fastest ? emit_fast_integer_shine : emit_integer_shine;
   if (key.integer_shininess[0] != kGeneralShininess)
-    emit_integer_shine(w, "front_shine", key.integer_shininess[0]);
+    emit_shine(w, "front_shine", key.integer_shininess[0]);
   if (key.two_side && key.integer_shininess[1] != kGeneralShininess)
-    emit_integer_shine(w, "back_shine", key.integer_shininess[1]);
+    emit_shine(w, "back_shine", key.integer_shininess[1]);
 }
 
 void emit_lighting_blocks(Writer& w, const ProgramKey& key) {

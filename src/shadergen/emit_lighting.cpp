@@ -32,17 +32,16 @@ void emit_scene(Writer& w, const ProgramKey& key, unsigned face) {
 }
 
 /// GL 2.1 spec 2.14.1: the vector to the light, attenuation and spot factor.
-void emit_to_light(Writer& w, std::uint8_t kind, const std::string& light) {
-  w.line("vec3 delta = " + light + ".position.xyz - vertex;");
-  w.line("float distance_squared = max(dot(delta, delta), 1e-37);");
-  w.line("float inverse_distance = inversesqrt(distance_squared);");
-  w.line("vec3 to_light = delta * inverse_distance;");
-  if (kind & kLightAttenuated) w.line("float distance = distance_squared * inverse_distance;");
+void emit_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& light) {
+  const std::string finite = key.space == LightingSpace::kEyeHomogeneous ? " * finite" : "";
+  w.line("vec3 delta = " + light + ".position.xyz" + finite + " - vertex;");
+  w.line("vec3 to_light = unit_of_any(delta);");
+  if (kind & kLightAttenuated) emit_distance(w, key, light, "dot(delta, to_light)");
   // The chord form keeps its digits where the cosine, near 1, loses them.
   if (kind & kLightSpot) w.line("vec3 chord = to_light + " + light + ".spot_direction.xyz;");
 }
 
-void emit_strength(Writer& w, std::uint8_t kind, const std::string& light) {
+void emit_strength(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& light) {
   if (kind & kLightAttenuated) {
     w.line("vec3 k = " + light + ".attenuation.xyz;");
     w.line("float strength = 1.0 / max(k.x + distance * (k.y + distance * k.z), 1e-37);");
@@ -52,7 +51,9 @@ void emit_strength(Writer& w, std::uint8_t kind, const std::string& light) {
     w.line("float one_minus_cosine = 0.5 * dot(chord, chord);");
     const std::string inside =
         kind & kLightSpotExponent
-            ? "power_of_complement(one_minus_cosine, " + light + ".attenuation.w)"
+            ? (key.quality == Quality::kFastest ? "power(1.0 - one_minus_cosine, "
+                                                : "power_of_complement(one_minus_cosine, ") +
+                  light + ".attenuation.w)"
             : "1.0";
     w.line(target + "one_minus_cosine <= " + light + ".spot_direction.w ? " + inside + " : 0.0;");
   }
@@ -62,7 +63,8 @@ void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                       const std::string& light) {
   if (key.local_viewer) w.line("vec3 h = unit(to_light + to_viewer);");
   else if (kind & kLightPoint) w.line("vec3 h = unit(to_light + viewer.xyz);");
-  else if (key.normal == NormalMode::kNormalize) w.line("vec3 h = " + light + ".half_vector.xyz;");
+  else if (key.quality == Quality::kFastest || key.normal == NormalMode::kNormalize)
+    w.line("vec3 h = " + light + ".half_vector.xyz;");
   else {
     w.line("float n_dot_h = dot(n_coarse, " + light + ".half_vector.xyz);");
     w.line("float n_dot_h_rest = dot(n_rest, " + light + ".half_vector.xyz) + dot(n, " + light +
@@ -75,12 +77,13 @@ bool half_vector_is_uniform(const ProgramKey& key, std::uint8_t kind) {
   return !(kind & kLightPoint) && !key.local_viewer;
 }
 
-/// 1 - dot(n, h) of a face.
+/// 1 - dot(n, h) of a face; dot(n, h) in the fastest quality.
 std::string complement(const ProgramKey& key, std::uint8_t kind, unsigned face,
                        const std::string& light) {
   const std::string n = face ? "-n" : "n";
   if (key.quality == Quality::kPrecise)
     return std::string("complement(") + (face ? "Two(-n.hi, -n.lo)" : n) + ", h)";
+  if (key.quality == Quality::kFastest) return "dot(" + n + ", h)";
   const bool unit_normal = key.normal == NormalMode::kNormalize;
   if (half_vector_is_uniform(key, kind) && unit_normal)
     return "complement_of_units((" + n + " - h) - " + light + ".attenuation.xyz)";
@@ -96,7 +99,7 @@ std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
   const std::string q = complement(key, kind, face, light);
   if (key.integer_shininess[face] != kGeneralShininess)
     return std::string(kSide[face]) + "_shine(" + q + ")";
-  return "power_of_complement(" + q + ", " +
+  return (key.quality == Quality::kFastest ? "power(" : "power_of_complement(") + q + ", " +
          (key.material[face][kShininess] == MaterialSource::kVertex
               ? std::string(kMaterialAttributeNames[face][kShininess])
               : std::string(kSide[face]) + "_ambient_light.w") +
@@ -153,9 +156,9 @@ void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::
   const std::string light = "lights[" + index + "]";
   const bool precise = key.quality == Quality::kPrecise;
   if (precise) emit_precise_to_light(w, key, kind, index);
-  else if (kind & kLightPoint) emit_to_light(w, kind, light);
+  else if (kind & kLightPoint) emit_to_light(w, key, kind, light);
   else w.line("vec3 to_light = " + light + ".position.xyz;");
-  if (kind & kLightPoint) emit_strength(w, kind, light);
+  if (kind & kLightPoint) emit_strength(w, key, kind, light);
   if (kind & (kLightDiffuse | kLightSpecular))
     w.line(std::string("float n_dot_l = ") + (precise ? "two_dot" : "dot") + "(n, to_light);");
   if (kind & kLightSpecular && precise) emit_precise_half_vector(w, key, kind, index);
@@ -164,6 +167,15 @@ void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::
 }
 
 }  // namespace
+
+void emit_distance(Writer& w, const ProgramKey& key, const std::string& light,
+                   const std::string& expression) {
+  const std::string distance = expression + " * " + light + ".half_vector.w";
+  // From a vertex at infinity to a light that is not.
+  if (key.space == LightingSpace::kEyeHomogeneous)
+    w.line("float distance = finite == 0.0 ? 1e30 : " + distance + ";");
+  else w.line("float distance = " + distance + ";");
+}
 
 bool lighting_reads_position(const ProgramKey& key) {
   if (key.local_viewer) return true;
@@ -191,7 +203,8 @@ void emit_lighting_space(Writer& w, const ProgramKey& key) {
         break;
       case LightingSpace::kEyeHomogeneous:
         w.line("vec4 position_eye = modelview * " + position + ";");
-        w.line("vec3 vertex = position_eye.xyz / position_eye.w;");
+        w.line("float finite = position_eye.w == 0.0 ? 0.0 : 1.0;  // of a vertex at infinity");
+        w.line("vec3 vertex = position_eye.xyz / (position_eye.w == 0.0 ? 1.0 : position_eye.w);");
         break;
     }
   const std::string normal =
@@ -200,15 +213,18 @@ void emit_lighting_space(Writer& w, const ProgramKey& key) {
     case NormalMode::kAsIs: w.line("vec3 n = normal;"); break;
     case NormalMode::kScaled: w.line("vec3 n = viewer.w * normal;"); break;
     case NormalMode::kMatrix: w.line("vec3 n = normal_matrix * normal;"); break;
-    case NormalMode::kNormalize: w.line("vec3 n = unit(" + normal + ");"); break;
+    case NormalMode::kNormalize: w.line("vec3 n = unit_of_any(" + normal + ");"); break;
   }
 }
 
 void emit_lights(Writer& w, const ProgramKey& key) {
   for (unsigned face = 0; face < face_count(key); ++face) emit_scene(w, key, face);
-  if (key.quality != Quality::kPrecise) emit_normal_split(w, key);
+  if (key.quality == Quality::kDefault) emit_normal_split(w, key);
   if (key.quality == Quality::kPrecise) emit_precise_viewer(w, key);
-  else if (key.local_viewer) w.line("vec3 to_viewer = unit(viewer.xyz - vertex);");
+  else if (key.local_viewer)
+    w.line(key.space == LightingSpace::kEyeHomogeneous
+               ? "vec3 to_viewer = unit_of_any(viewer.xyz * finite - vertex);"
+               : "vec3 to_viewer = unit_of_any(viewer.xyz - vertex);");
 
   // Eight lights unroll; more loop, a kind at a time.
   const bool unroll = key.light_count() <= 8;
@@ -234,6 +250,11 @@ void emit_lights(Writer& w, const ProgramKey& key) {
     const std::string side = kSide[face];
     const std::string diffuse = material_expression(key, face, kDiffuse);
     const std::string alpha = diffuse.empty() ? side + "_scene.a" : diffuse + ".a";
+    if (key.scaled_sums) {
+      w.line(side + "_sum *= " + side + "_products[0].diffuse.w;");
+      if (key.separate_specular)
+        w.line(side + "_specular_sum *= " + side + "_products[0].diffuse.w;");
+    }
     // GL 2.1 spec 2.14.6: colours are clamped before they are interpolated.
     w.line("vec4 " + side + "_lit = clamp(vec4(" + side + "_sum, " + alpha + "), 0.0, 1.0);");
     if (key.separate_specular)

@@ -221,7 +221,7 @@ void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
   w.line("Two delta = add(Two(" + light + ".position.xyz" + finite + ", " + rest + ".position.xyz" +
          finite + "), Two(-vertex.hi, -vertex.lo));");
   w.line("Two to_light = " + direction_unit(key, "delta") + ";");
-  if (kind & kLightAttenuated) w.line("float distance = dot(delta.hi, to_light.hi);");
+  if (kind & kLightAttenuated) emit_distance(w, key, light, "dot(delta.hi, to_light.hi)");
   if (kind & kLightSpot)
     w.line("vec3 chord = (to_light.hi + " + light + ".spot_direction.xyz) + (to_light.lo + " +
            rest + ".spot_direction.xyz);");

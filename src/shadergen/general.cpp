@@ -31,11 +31,11 @@ std::string times_material(const ProgramKey& key, unsigned face, unsigned proper
 constexpr const char* kLightGeometry = R"(    vec3 to_light = lights[i].position.xyz;
     bool point = i >= light_ends.x;
     vec3 delta = to_light - vertex;
-    float distance_squared = max(dot(delta, delta), 1e-37);
-    float inverse_distance = inversesqrt(distance_squared);
-    to_light = point ? delta * inverse_distance : to_light;
+    vec3 to_point = unit_of_any(delta);
+    float distance = dot(delta, to_point) * lights[i].half_vector.w;
+    to_light = point ? to_point : to_light;
     vec3 k = lights[i].attenuation.xyz;
-    float strength = point ? 1.0 / max(k.x + k.y * (distance_squared * inverse_distance) + k.z * distance_squared, 1e-37) : 1.0;
+    float strength = point ? 1.0 / max(k.x + distance * (k.y + distance * k.z), 1e-37) : 1.0;
     vec3 chord = to_light + lights[i].spot_direction.xyz;
     float one_minus_cosine = 0.5 * dot(chord, chord);
     float cone = one_minus_cosine <= lights[i].spot_direction.w
@@ -43,7 +43,7 @@ constexpr const char* kLightGeometry = R"(    vec3 to_light = lights[i].position
                       : 0.0;
     strength = i >= light_ends.y ? strength * cone : strength;
     bool own = i >= computed_half_vectors;
-    vec3 h = own ? unit(to_light + to_viewer) : lights[i].half_vector.xyz;
+    vec3 h = own ? unit_of_any(to_light + to_viewer) : lights[i].half_vector.xyz + lights[i].attenuation.xyz;
     float n_dot_l = dot(n, to_light);
 )";
 
@@ -67,7 +67,8 @@ void emit_face(Writer& w, const ProgramKey& key, unsigned face) {
 }  // namespace
 
 ProgramKey generalise(const ProgramKey& key) {
-  if (!key.lit || key.per_fragment || key.quality != Quality::kDefault || key.general_lights)
+  if (!key.lit || key.per_fragment || key.quality != Quality::kDefault || key.scaled_sums ||
+      key.general_lights)
     return key;
   ProgramKey general = key;
   general.general_lights = kGeneralLights;
@@ -116,12 +117,12 @@ void emit_general_space(Writer& w, const ProgramKey& key) {
   w.line("vec4 lit_position = lighting_matrix * " + position + ";");
   w.line("vec3 vertex = lit_position.xyz / lit_position.w;");
   w.line("vec3 n = lighting_normal_matrix * normal;");
-  w.line("n = modes.x != 0.0 ? unit(n) : n;");
+  w.line("n = modes.x != 0.0 ? unit_of_any(n) : n;");
 }
 
 void emit_general_lights(Writer& w, const ProgramKey& key) {
   w.line("bool local_viewer = modes.y != 0.0;");
-  w.line("vec3 to_viewer = local_viewer ? unit(viewer.xyz - vertex) : viewer.xyz;");
+  w.line("vec3 to_viewer = local_viewer ? unit_of_any(viewer.xyz - vertex) : viewer.xyz;");
   w.line("int computed_half_vectors = local_viewer ? 0 : light_ends.x;");
   for (unsigned face = 0; face < face_count(key); ++face) {
     const std::string side = kSide[face];

@@ -30,10 +30,19 @@ std::string describe_kind(std::uint8_t kind) {
 
 std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   std::size_t hash = 0xcbf29ce484222325ull;
-  const bool flags[] = {key.lit,         key.flat,         key.secondary_from_vertex,
-                        key.two_side,    key.local_viewer, key.separate_specular,
-                        key.position4,   key.points,       key.per_fragment,
-                        key.back_only,   key.angle_error,  key.lighting_position,
+  const bool flags[] = {key.lit,
+                        key.flat,
+                        key.secondary_from_vertex,
+                        key.two_side,
+                        key.local_viewer,
+                        key.separate_specular,
+                        key.position4,
+                        key.points,
+                        key.per_fragment,
+                        key.back_only,
+                        key.angle_error,
+                        key.scaled_sums,
+                        key.lighting_position,
                         key.depth_offset};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
@@ -64,7 +73,12 @@ std::string describe(const ProgramKey& key) {
     }
   }
   if (key.normal == NormalMode::kNormalize) append(text, "normalize");
-  if (key.quality == Quality::kPrecise) append(text, "precise");
+  switch (key.quality) {
+    case Quality::kDefault: break;
+    case Quality::kFastest: append(text, "fastest"); break;
+    case Quality::kPrecise: append(text, "precise"); break;
+  }
+  if (key.scaled_sums) append(text, "scaled sums");
   if (key.two_side) append(text, "two-sided");
   if (key.local_viewer) append(text, "local viewer");
   if (key.separate_specular) append(text, "separate specular");

@@ -46,7 +46,8 @@ enum class NormalMode : std::uint8_t {
 /// How lighting is computed.
 enum class Quality : std::uint8_t {
   kDefault,
-  kPrecise  ///< in pairs of floats
+  kFastest,  ///< within a quarter of a step of 8 bits
+  kPrecise   ///< in pairs of floats
 };
 
 /// Where a material property comes from.
@@ -64,6 +65,7 @@ struct ProgramKey {
   bool position4 = false;  ///< the position attribute has a w
   bool points = false;     ///< draws GL_POINTS
   bool per_fragment = false;
+  bool scaled_sums = false;  ///< colours so large that sums of their products leave the range
   bool angle_error = false;  ///< object space under a modelview that keeps angles only nearly
   bool back_only =
       false;  ///< unfilled back faces: every primitive of the draw takes the back colour

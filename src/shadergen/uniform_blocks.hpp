@@ -48,8 +48,9 @@ static_assert(sizeof(TransformUniforms) == 272);
 
 struct LightUniforms {
   glm::vec4 position{0};  ///< lighting space; a directional light: the unit vector to it
-  /// Directional with an infinite viewer: half vector, in multiples of 1/2048.
-  glm::vec4 half_vector{0};
+  /// Directional with an infinite viewer: half vector, in multiples of 1/2048. w of a point light:
+  /// the unit of its attenuation, as a factor of distances.
+  glm::vec4 half_vector{0, 0, 0, 1};
   /// k0, k1, k2 for distances in lighting space, w: spot exponent. A directional light: the rest of
   /// its half vector.
   glm::vec4 attenuation{1, 0, 0, 0};
@@ -57,7 +58,7 @@ struct LightUniforms {
 };
 inline constexpr const char* kLightStructText = R"(struct Light {
   vec4 position;        // in lighting space; directional: the unit vector to the light
-  vec4 half_vector;     // directional, infinite viewer: in multiples of 1/2048
+  vec4 half_vector;     // directional, infinite viewer: in multiples of 1/2048; w: factor of distances
   vec4 attenuation;     // k0, k1, k2, spot exponent; directional: the rest of half_vector
   vec4 spot_direction;  // xyz: unit vector; w: 2 sin^2(cutoff / 2)
 };
@@ -107,7 +108,9 @@ static_assert(sizeof(GeneralUniforms) == 144);
 /// A light's colours times the material's; the light's own colour where the material comes with the
 /// vertex.
 struct LightProducts {
-  glm::vec4 ambient{0}, diffuse{0}, specular{0};
+  glm::vec4 ambient{0};
+  glm::vec4 diffuse{0};  ///< w of the first light: what scaled sums are multiplied by
+  glm::vec4 specular{0};
 };
 static_assert(sizeof(LightProducts) == 48);
 

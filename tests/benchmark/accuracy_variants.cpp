@@ -180,6 +180,7 @@ std::vector<std::unique_ptr<Variant>> accuracy_variants() {
   std::vector<std::unique_ptr<Variant>> variants;
   variants.push_back(std::make_unique<FixedFunction<MesaContext>>("Mesa"));
   variants.push_back(std::make_unique<TextbookVariant>());
+  variants.push_back(of_quality("fastest", LEGACY_GL_QUALITY_FASTEST));
   variants.push_back(of_quality("default", LEGACY_GL_QUALITY_DEFAULT));
   variants.push_back(of_quality("precise", LEGACY_GL_QUALITY_PRECISE));
   return variants;

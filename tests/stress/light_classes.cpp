@@ -137,7 +137,7 @@ StressSample light_nearly_opposite_to_the_eye(Random& random) {
 std::span<const StressClass> light_classes() {
   static const StressClass classes[] = {
       {"directional position 1e-38 to 4e37", directional_of_any_length},
-      {"light w of any sign, 1e-30 to 1e30", light_w, 0.5, LEGACY_GL_QUALITY_DEFAULT, false, true},
+      {"light w of any sign, 1e-30 to 1e30", light_w},
       {"light w of any sign, light nearby", light_w_near},
       {"attenuation 0, 1e-42 to 3e38", attenuation},
       {"attenuation all zero", attenuation_zero},
@@ -146,7 +146,7 @@ std::span<const StressClass> light_classes() {
       {"spot direction zero", spot_direction_zero},
       {"cutoff 0, 0.001, 0.5, 89.99, 90, 180", cutoffs},
       {"beside the cone", beside_the_cone},
-      {"exactly on the cone", exactly_on_the_cone, 0.5, LEGACY_GL_QUALITY_DEFAULT, true},
+      {"exactly on the cone", exactly_on_the_cone, 0.5, true},
       {"light opposite to the eye", light_opposite_to_the_eye},
       {"light nearly opposite to the eye", light_nearly_opposite_to_the_eye},
   };

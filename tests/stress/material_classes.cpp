@@ -79,11 +79,10 @@ std::span<const StressClass> material_classes() {
       {"shininess 0, 1e-30 to 128", shininess},
       {"spot exponent 0, 1e-30 to 128", spot_exponent},
       {"zero to the shininess", zero_to_the_power},
-      {"zero to the spot exponent", zero_to_the_spot_exponent, 0.5, LEGACY_GL_QUALITY_DEFAULT,
-       true},
-      {"colours 1e-30 to 1e30", colors, 0.5, LEGACY_GL_QUALITY_DEFAULT, false, true},
-      {"colours to +-1e30", signed_colors, 0.5, LEGACY_GL_QUALITY_DEFAULT, false, true},
-      {"tracked colours to +-1e30", tracked_colors, 0.5, LEGACY_GL_QUALITY_DEFAULT, false, true},
+      {"zero to the spot exponent", zero_to_the_spot_exponent, 0.5, true},
+      {"colours 1e-30 to 1e30", colors},
+      {"colours to +-1e30", signed_colors},
+      {"tracked colours to +-1e30", tracked_colors},
   };
   return classes;
 }

@@ -34,7 +34,9 @@ class RandomKeys {
         if (chance(4))
           key.material[face][property] =
               property == 4 || chance(2) ? MaterialSource::kVertex : MaterialSource::kColor;
-    if (key.light_count() && chance(3)) key.quality = Quality::kPrecise;
+    if (key.light_count() && chance(2))
+      key.quality = chance(2) ? Quality::kPrecise : Quality::kFastest;
+    key.scaled_sums = key.light_count() && chance(8);
     if (!specular) return key;
     key.local_viewer = chance(3);
     key.separate_specular = chance(3);
