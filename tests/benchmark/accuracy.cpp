@@ -18,12 +18,20 @@ namespace {
 using Variants = std::vector<std::unique_ptr<Variant>>;
 
 struct Arguments {
-  std::string errors, times, stress;
+  std::string errors, times, stress, driver;
   std::vector<std::string> classes;
   bool quick = false;
 };
 
 constexpr std::uint32_t kSeed = 1;
+
+std::string driver_name() {
+  MesaContext context(1, 1);
+  const auto text = [&](GLenum name) {
+    return std::string(reinterpret_cast<const char*>(context.gl.GetString(name)));
+  };
+  return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
 
 bool wanted(const Arguments& arguments, const std::string& name) {
   const auto& classes = arguments.classes;
@@ -112,7 +120,7 @@ bool is_presentable(const oracle::Color& color) {
 
 void measure_stress(const Arguments& arguments, const Variants& variants) {
   std::ofstream table(arguments.stress);
-  table << "class,variant,samples,judged,largest,not_presentable\n";
+  table << "class,variant,samples,judged,largest,not_presentable,driver_may_flush\n";
   constexpr double kJumpTolerance = 2e-6;  // as in tests/stress
   constexpr std::uint32_t kStressSeed = 7;
   const std::uint32_t samples = arguments.quick ? 150 : 1000;
@@ -135,8 +143,9 @@ void measure_stress(const Arguments& arguments, const Variants& variants) {
         largest = std::max(largest, oracle::difference_steps(color, expected));
       }
       char row[256];
-      std::snprintf(row, sizeof row, "\"%s\",%s,%u,%u,%.4e,%u\n", stress_class.name.c_str(),
-                    variant->name().c_str(), samples, judged, largest, not_presentable);
+      std::snprintf(row, sizeof row, "\"%s\",%s,%u,%u,%.4e,%u,%d\n", stress_class.name.c_str(),
+                    variant->name().c_str(), samples, judged, largest, not_presentable,
+                    stress_class.driver_may_flush ? 1 : 0);
       table << row << std::flush;
     }
   }
@@ -152,11 +161,13 @@ int main(int argc, char** argv) {
   app.add_option("--times", arguments.times, "write the CPU times of the classes to this file");
   app.add_option("--stress", arguments.stress,
                  "write the errors of the stress classes to this file");
+  app.add_option("--driver", arguments.driver, "write the driver's name to this file");
   app.add_option("--class", arguments.classes, "only these (repeat it); all unless given");
   app.add_flag("--quick", arguments.quick, "fewer samples and rounds");
   CLI11_PARSE(app, argc, argv);
   try {
     const Variants variants = accuracy_variants();
+    if (!arguments.driver.empty()) std::ofstream(arguments.driver) << driver_name() << '\n';
     if (!arguments.errors.empty()) measure_errors(arguments, variants);
     if (!arguments.times.empty()) measure_times(arguments, variants);
     if (!arguments.stress.empty()) measure_stress(arguments, variants);

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Writes docs/accuracy.* from the tables of tests/benchmark/accuracy: report.py <results> <docs>."""
+
+import csv
+import pathlib
+import statistics
+import sys
+
+import charts
+import tables
+
+INTRODUCTION = """# Accuracy
+
+What a lit colour costs and how wrong it is. `scripts/bench accuracy` measures and writes this page; no
+figure in it is typed. Errors are in steps of 1/255 of a colour, against a float64 evaluation of the
+specification's equation (tests/oracle) of the values that were given to OpenGL. `scripts/test` holds
+short runs of all of it to the goals.
+
+- **Mesa** is its fixed function. **Textbook GLSL** is the yardstick: the equation as a textbook writes
+  it, on the core profile, one uniform for each value (tests/benchmark/textbook.cpp).
+- **fastest**, **default** and **precise** are this library's qualities (`legacy_gl_options.quality`),
+  by specialised programs. The general program, which draws a state until it has drawn enough to be
+  worth a program of its own, agrees within half a step.
+- CPU times are of the process, of vertices alone: triangles whose vertices are lit and that are then
+  discarded (`GL_RASTERIZER_DISCARD`), since what the rasteriser costs is the same for all. The variants
+  draw in turns in one process; a figure is the median of the ratio over the rounds, and the median over
+  {processes} processes. The matrices are random float32 rotations that keep angles only nearly: the
+  dearest case; a product of `glRotate` calls is cheaper.
+
+Measured on {machine}, with {driver}.
+
+![run time against error](accuracy.png)
+
+[Class by class](accuracy_classes.png). Tables: [errors](accuracy_errors.csv), [times](accuracy_times.csv),
+[stress](accuracy_stress.csv).
+"""
+
+EPILOGUE = """
+## How
+
+- Where every light is a direction, the viewer is infinite and `GL_NORMALIZE` off, light and half vectors
+  go through the inverse modelview in double: (n M⁻¹)·l = n·(M⁻¹ l). The shader's normal is the caller's.
+- 1 − n·h is formed directly: from the products of the first 12 bits of normal and half vector, which are
+  exact, or from the chord between unit vectors. Powers of it square the complement y = 1 − (1 − q)ᵏ by
+  y(2 − y), or take a logarithm whose series starts from q.
+- Precise: vertex, normal, light and half vectors are pairs of floats; under a modelview that keeps angles
+  nearly, unit vectors are bent to first order in object space; its exp2 has all bits, where llvmpipe's
+  has about 20. Outputs are `invariant`, or Mesa's compiler would drop what only rounding makes of an
+  expression.
+- Vectors are scaled by an exact power of two before they are made unit length, attenuation has a unit of
+  distance of its own, and sums of products beyond 1e36 are scaled.
+
+## Out of reach
+
+- Denormal numbers: GLSL lets a driver take them for zero (GLSL 3.30 spec 4.1.4) and llvmpipe does, before
+  a shader sees them. Colours stay finite and in [0, 1].
+- A directional light on a vertex at infinity: docs/deviations.md, row D15.
+- An error below about 2e-5: the output colour itself is a float32, and its sum of terms is rounded twice.
+"""
+
+
+def figure(value):
+    return "0" if value == 0 else f"{value:.1e}"
+
+
+def mark(value, goal):
+    return f"{value} ✓" if float(value) <= goal else f"**{value} > {goal:g}**"
+
+
+def errors_table(errors, out):
+    out.append("\n## Errors\n\nLargest error of any sample. ✓: within the goal that the class has; the "
+               f"fastest quality's goal is {tables.FASTEST_BOUND} everywhere.\n")
+    out.append("| class | " + " | ".join(tables.VARIANTS) + " | default : Mesa |")
+    out.append("|---|" + "---|" * (len(tables.VARIANTS) + 1))
+    for name, row in errors.items():
+        goals = tables.GOALS.get(name)
+        cells = []
+        for variant in tables.VARIANTS:
+            text = figure(row[variant])
+            if variant == "fastest":
+                text = mark(text, tables.FASTEST_BOUND)
+            elif goals and variant in ("default", "precise"):
+                text = mark(text, goals[0] if variant == "default" else goals[1])
+            cells.append(text)
+        cells.append(f"1 : {row['Mesa'] / row['default']:.0f}" if row["default"] else "-")
+        out.append(f"| {name} | " + " | ".join(cells) + " |")
+
+
+def times_table(times, out):
+    out.append("\n## CPU time over Mesa's\n\nMedian, and the range over the processes. Goals: default 1, "
+               f"with eight lights 0.9; precise {tables.PRECISE_TIME:g}.\n")
+    out.append("| class | " + " | ".join(tables.VARIANTS[1:]) + " |")
+    out.append("|---|" + "---|" * (len(tables.VARIANTS) - 1))
+    for name, row in times.items():
+        goals = tables.GOALS.get(name)
+        cells = []
+        for variant in tables.VARIANTS[1:]:
+            values = row[variant]
+            text = f"{statistics.median(values):.2f}"
+            if variant == "default" and goals:
+                text = mark(text, goals[2])
+            elif variant == "precise":
+                text = mark(text, tables.PRECISE_TIME)
+            cells.append(f"{text} ({min(values):.2f} to {max(values):.2f})")
+        out.append(f"| {name} | " + " | ".join(cells) + " |")
+
+
+def stress_table(rows, out):
+    out.append(f"\n## Stress\n\nLargest error where the specification defines the answer; ✓: within "
+               f"{tables.STRESS_BOUND}. A class without such a sample has no figure: there colours are "
+               "finite and in [0, 1]. NaN and infinity in every parameter of every call are tests "
+               "(tests/stress/not_finite_test.cpp).\n")
+    out.append("| class | samples | " + " | ".join(tables.VARIANTS) + " |")
+    out.append("|---|---|" + "---|" * len(tables.VARIANTS))
+    classes = {}
+    footnote = "\n† the driver takes denormal numbers for zero, as GLSL lets it."
+    for row in rows:
+        classes.setdefault(row["class"], {})[row["variant"]] = row
+    for name, row in classes.items():
+        cells = []
+        for variant in tables.VARIANTS:
+            cell = row[variant]
+            if int(cell["judged"]) == 0:
+                text = "-"
+            elif int(cell["driver_may_flush"]):
+                text = figure(float(cell["largest"])) + " †"
+            elif variant in ("default", "precise"):
+                text = mark(figure(float(cell["largest"])), tables.STRESS_BOUND)
+            else:
+                text = figure(float(cell["largest"]))
+            if int(cell["not_presentable"]):
+                text += f", {cell['not_presentable']} not finite"
+            cells.append(text)
+        out.append(f"| {name} | {row['Mesa']['judged']} of {row['Mesa']['samples']} | " +
+                   " | ".join(cells) + " |")
+    out.append(footnote)
+
+
+def summary(errors, times, out):
+    def mean(table, variant):
+        return statistics.geometric_mean(row[variant] / row["Mesa"] for row in table.values())
+    middle = tables.medians(times)
+    out.append("\n| geometric mean over the classes, relative to Mesa | " +
+               " | ".join(tables.VARIANTS[1:]) + " |")
+    out.append("|---|" + "---|" * (len(tables.VARIANTS) - 1))
+    out.append("| largest error | " + " | ".join(f"{mean(errors, v):.3f}" for v in tables.VARIANTS[1:]) + " |")
+    out.append("| CPU time | " + " | ".join(f"{mean(middle, v):.2f}" for v in tables.VARIANTS[1:]) + " |")
+
+
+def write_csv(path, rows):
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main():
+    results, docs = (pathlib.Path(argument) for argument in sys.argv[1:3])
+    error_rows = tables.read(results / "errors.csv")
+    time_paths = sorted(results.glob("times_*.csv"))
+    time_rows = [{"process": i + 1, **row} for i, path in enumerate(time_paths)
+                 for row in tables.read(path)]
+    stress_rows = tables.read(results / "stress.csv")
+    errors = tables.medians(tables.by_class(error_rows, "largest"))
+    times = tables.by_class(time_rows, "cpu_ratio_to_mesa")
+    out = [INTRODUCTION.format(processes=len(time_paths), machine=tables.machine(),
+                               driver=tables.driver(results))]
+    summary(errors, times, out)
+    errors_table(errors, out)
+    least = min(int(row["samples"]) for row in error_rows)
+    out.append(f"\nAt least {least:,} samples a class and variant; alpha is exact in all.")
+    times_table(times, out)
+    stress_table(stress_rows, out)
+    out.append(EPILOGUE)
+    (docs / "accuracy.md").write_text("\n".join(out))
+    write_csv(docs / "accuracy_errors.csv", error_rows)
+    write_csv(docs / "accuracy_times.csv", time_rows)
+    write_csv(docs / "accuracy_stress.csv", stress_rows)
+    charts.overview(errors, tables.medians(times), docs)
+    charts.each_class(errors, tables.medians(times), docs)
+
+
+if __name__ == "__main__":
+    main()
