@@ -26,6 +26,12 @@ void set(Context& c, T& stored, const U& value) {
   assign(c, stored, value, kDirtyRaster);
 }
 
+void alpha_func(Context& c, GLenum function, float reference) {
+  if (refused(c, is_comparison(function), GL_INVALID_ENUM)) return;
+  ColorBufferState& colors = c.raster.color_buffer;
+  assign(c, colors.alpha_function, function, kDirtyKey);
+  assign(c, colors.alpha_reference, std::clamp(reference, 0.0f, 1.0f), kDirtyFragments);
+}
 void depth_func(Context& c, GLenum function) {
   if (refused(c, is_comparison(function), GL_INVALID_ENUM)) return;
   set(c, c.raster.depth.function, function);
@@ -177,6 +183,9 @@ void sample_coverage(Context& c, float value, GLboolean invert) {
 
 }  // namespace
 
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglAlphaFunc(GLenum func, GLfloat ref) {
+  dispatch<alpha_func>(func, ref);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthFunc(GLenum func) { dispatch<depth_func>(func); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthMask(GLboolean flag) { dispatch<depth_mask>(flag); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDepthRange(GLdouble n, GLdouble f) {

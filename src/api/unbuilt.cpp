@@ -150,26 +150,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglRasterPos4sv(const GLshort *) {
   report_unbuilt("glRasterPos4sv");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglClipPlane(GLenum, const GLdouble *) {
-  report_unbuilt("glClipPlane");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogf(GLenum, GLfloat) {
-  report_unbuilt("glFogf");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogfv(GLenum, const GLfloat *) {
-  report_unbuilt("glFogfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogi(GLenum, GLint) {
-  report_unbuilt("glFogi");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogiv(GLenum, const GLint *) {
-  report_unbuilt("glFogiv");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineStipple(GLint, GLushort) {
   report_unbuilt("glLineStipple");
 }
@@ -339,10 +319,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalPoint2(GLint, GLint) {
   report_unbuilt("glEvalPoint2");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglAlphaFunc(GLenum, GLfloat) {
-  report_unbuilt("glAlphaFunc");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelZoom(GLfloat, GLfloat) {
   report_unbuilt("glPixelZoom");
 }
@@ -373,10 +349,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyPixels(GLint, GLint, GLsizei, GLsiz
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void *) {
   report_unbuilt("glDrawPixels");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetClipPlane(GLenum, GLdouble *) {
-  report_unbuilt("glGetClipPlane");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapdv(GLenum, GLenum, GLdouble *) {

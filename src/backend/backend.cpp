@@ -49,7 +49,7 @@ void Backend::reset_driver_state() {
 void Backend::apply_raster(Context& context) {
   if (!(context.dirty & kDirtyRaster)) return;
   context.dirty &= ~std::uint32_t{kDirtyRaster};
-  raster_.apply(driver, context.raster);
+  raster_.apply(driver, context.raster, context.transform.clip.enabled);
 }
 
 void Backend::upload_block(Context& context, UniformBlock block, const void* data, std::size_t size,
@@ -85,6 +85,13 @@ void Backend::upload_stale_blocks(Context& context) {
   if (derived_.stale[kTransformBlock])
     upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform,
                  sizeof derived_.transform);
+  const FragmentKey& fragments = derived_.key.fragments;
+  if (derived_.stale[kFragmentsBlock] && (fragments.has_fog() || fragments.has_alpha_test()))
+    upload_block(context, kFragmentsBlock, &derived_.fragments, sizeof derived_.fragments,
+                 sizeof derived_.fragments);
+  if (derived_.stale[kClipPlanesBlock] && fragments.clip_planes)
+    upload_block(context, kClipPlanesBlock, &derived_.clip_planes, sizeof derived_.clip_planes,
+                 sizeof derived_.clip_planes);
   if (!derived_.key.lit) return;
   const bool general = general_program_;
   if (general && derived_.stale[kGeneralBlock])
@@ -160,7 +167,12 @@ bool Backend::splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& r
   if (run.mode != GL_QUADS || run.indexed) return false;
   if (derived_.key.flat) return true;
   const unsigned stride = recorder.offsets().stride;
-  return any_outside(derived_.transform.modelview_projection,
+  std::array<glm::vec4, kMaxClipPlanes> planes;
+  std::size_t plane_count = 0;
+  for (unsigned i = 0; i < kMaxClipPlanes; ++i)
+    if (derived_.key.fragments.clip_planes & 1u << i)
+      planes[plane_count++] = derived_.clip_planes.planes[i];
+  return any_outside(derived_.transform.modelview_projection, {planes.data(), plane_count},
                      recorder.data() + std::size_t{run.first} * stride, run.count, stride,
                      recorder.offsets().position_size == 4);
 }

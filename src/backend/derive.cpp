@@ -177,6 +177,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     key.lit = context.lighting.enabled;
     key.flat = context.lighting.shade_model == GL_FLAT;
     key.secondary_from_vertex = (layout.fields & kFieldSecondaryColor) != 0;
+    choose_fragments(context, layout);
     if (key.lit) {
       key.two_side = context.lighting.model.two_side && back_faces_visible(context);
       choose_materials(context, layout);
@@ -193,12 +194,60 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
                              before.angle_error != key.angle_error ||
                              before.quality != key.quality || before_only != directions_only_;
   if (dirty & kDirtyTransform || space_changed) fill_transform(context);
+  if (dirty & (kDirtyTransform | kDirtyFragments | kDirtyKey)) fill_fragments(context);
   if (!key.lit) return;
   const bool lights_changed = !(before == key) || before_only != directions_only_;
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
   if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
     fill_faces(context);
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_general(context);
+}
+
+void Derived::choose_fragments(const Context& context, const VertexLayout& layout) {
+  key.fragments.clip_planes = context.transform.clip.enabled;
+  const ColorBufferState& colors = context.raster.color_buffer;
+  if (colors.alpha_test_enabled && colors.alpha_function != GL_ALWAYS)
+    key.fragments.alpha = static_cast<AlphaFunction>(colors.alpha_function - GL_NEVER +
+                                                     static_cast<GLenum>(AlphaFunction::kNever));
+  if (!context.fog.enabled) return;
+  switch (context.fog.mode) {
+    case GL_LINEAR: key.fragments.fog = FogMode::kLinear; break;
+    case GL_EXP: key.fragments.fog = FogMode::kExp; break;
+    default: key.fragments.fog = FogMode::kExp2;
+  }
+  key.fragments.fog_coordinate = (layout.fields & kFieldFogCoord) != 0;
+}
+
+void Derived::fill_fragments(const Context& context) {
+  if (key.fragments.has_fog() || key.fragments.has_alpha_test()) {
+    stale[kFragmentsBlock] = true;
+    const FogState& fog = context.fog;
+    const glm::mat4& modelview = context.transform.modelview.top().single;
+    fragments.eye_depth = {modelview[0][2], modelview[1][2], modelview[2][2], modelview[3][2]};
+    fragments.fog_color = glm::clamp(fog.color, 0.0f, 1.0f);
+    const double range = static_cast<double>(fog.end) - static_cast<double>(fog.start);
+    const double density = static_cast<double>(fog.density);
+    double x = 0, y = 0;
+    switch (key.fragments.fog) {
+      case FogMode::kNone: break;
+      case FogMode::kLinear:  // where start is end, what the reference takes
+        x = range == 0 ? -1 : 1 / range;
+        y = static_cast<double>(fog.end) * x;
+        break;
+      case FogMode::kExp: x = density * std::numbers::log2e; break;
+      case FogMode::kExp2: x = density * std::sqrt(std::numbers::log2e); break;
+    }
+    fragments.fog_parameters = {finite(x), finite(y), 0,
+                                context.raster.color_buffer.alpha_reference};
+  }
+  if (key.fragments.clip_planes) {
+    stale[kClipPlanesBlock] = true;
+    const glm::dmat4 to_eye = glm::inverse(glm::dmat4(context.transform.projection.top().exact));
+    for (unsigned i = 0; i < kMaxClipPlanes; ++i) {
+      const glm::dvec4 plane = context.transform.clip.planes_eye[i] * to_eye;
+      clip_planes.planes[i] = finite(glm::dvec3(plane), plane.w);
+    }
+  }
 }
 
 void Derived::update_transform(Context& context) {

@@ -38,9 +38,18 @@ class Derived {
   PreciseUniforms precise;  ///< this and lights_low only in the precise quality
   std::vector<LightLow> lights_low;
   GeneralUniforms general;
-  std::array<bool, kUniformBlockCount> stale{true, true, true, true, true, true};
+  FragmentUniforms fragments;
+  ClipPlaneUniforms clip_planes;
+  std::array<bool, kUniformBlockCount> stale = all_stale();
 
  private:
+  static std::array<bool, kUniformBlockCount> all_stale() {
+    std::array<bool, kUniformBlockCount> all{};
+    all.fill(true);
+    return all;
+  }
+  void choose_fragments(const Context& context, const VertexLayout& layout);
+  void fill_fragments(const Context& context);
   void update_transform(Context& context);
   void choose_space(const Context& context, const VertexLayout& layout);
   void choose_materials(const Context& context, const VertexLayout& layout);

@@ -23,12 +23,14 @@ constexpr Source kSources[] = {
     {kFieldNormal, kNormalArray, kLocationNormal},
     {kFieldColor, kColorArray, kLocationColor},
     {kFieldSecondaryColor, kSecondaryColorArray, kLocationSecondaryColor},
+    {kFieldFogCoord, kFogCoordArray, kLocationFogCoord},
 };
 
 glm::vec4 current_value(const Context& context, ArrayIndex array) {
   switch (array) {
     case kNormalArray: return glm::vec4(context.current.normal, 0);
     case kSecondaryColorArray: return context.current.secondary_color;
+    case kFogCoordArray: return glm::vec4(context.current.fog_coordinate, 0, 0, 1);
     default: return context.current.color;
   }
 }

@@ -31,6 +31,10 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   if (missing & kFieldColor) driver.VertexAttrib4fv(kLocationColor, &current.color[0]);
   if (missing & kFieldSecondaryColor)
     driver.VertexAttrib4fv(kLocationSecondaryColor, &current.secondary_color[0]);
+  if (missing & kFieldFogCoord) {
+    const glm::vec4 coordinate(current.fog_coordinate, 0, 0, 1);
+    driver.VertexAttrib4fv(kLocationFogCoord, &coordinate[0]);
+  }
 
   for (const ListMesh::Draw& draw : mesh.draws) {
     if (!use_program(context, draw.mode == GL_POINTS, mesh.vertex_count())) continue;

@@ -77,8 +77,13 @@ void apply_multisample(const Driver& driver, const MultisampleState& multisample
 
 }  // namespace
 
-void RasterApplier::apply(const Driver& driver, const RasterState& wanted) {
+void RasterApplier::apply(const Driver& driver, const RasterState& wanted,
+                          std::uint8_t clip_planes) {
   RasterState& have = driver_state_;
+  if (!driver.is_es() && (!known_ || clip_planes != clip_planes_))
+    for (unsigned i = 0; i < kMaxClipPlanes; ++i)
+      set_enabled(driver, GL_CLIP_DISTANCE0 + i, clip_planes >> i & 1);
+  clip_planes_ = clip_planes;
   if (!known_ || have.depth != wanted.depth) apply_depth(driver, wanted.depth);
   if (!known_ || have.stencil != wanted.stencil) apply_stencil(driver, wanted.stencil);
   if (!known_ || have.color_buffer != wanted.color_buffer)

@@ -1,5 +1,8 @@
 #pragma once
+#include <cstdint>
+
 #include "backend/driver.hpp"
+#include "state/clip_planes.hpp"
 #include "state/raster.hpp"
 
 namespace legacy_gl {
@@ -7,13 +10,14 @@ namespace legacy_gl {
 /// Hands the raster state to the driver, as far as it differs from what the driver has.
 class RasterApplier {
  public:
-  void apply(const Driver& driver, const RasterState& wanted);
+  void apply(const Driver& driver, const RasterState& wanted, std::uint8_t clip_planes);
   /// The driver's state is unknown: the next apply hands on everything.
   void forget() { known_ = false; }
 
  private:
   bool known_ = false;
   RasterState driver_state_;
+  std::uint8_t clip_planes_ = 0;
 };
 
 }  // namespace legacy_gl

@@ -37,6 +37,7 @@ GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLui
   if (layout.fields & kFieldColor) attribute(kLocationColor, 4, offsets.color);
   if (layout.fields & kFieldSecondaryColor)
     attribute(kLocationSecondaryColor, 3, offsets.secondary_color);
+  if (layout.fields & kFieldFogCoord) attribute(kLocationFogCoord, 1, offsets.fog_coord);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i))
       attribute(kLocationMaterial + i, material_size(i % kPropertyCount), offsets.materials[i]);

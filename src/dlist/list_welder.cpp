@@ -20,8 +20,8 @@ constexpr PlayFunction kVertex4 = &play<execute::vertex4, float, float, float, f
 constexpr PlayFunction kNormal3 = &play<execute::normal3, float, float, float>;
 constexpr PlayFunction kColor4 = &play<execute::color4, float, float, float, float>;
 constexpr PlayFunction kSecondary3 = &play<execute::secondary_color3, float, float, float>;
+constexpr PlayFunction kFogCoordinate = &play<execute::fog_coord, float>;
 constexpr PlayFunction kTexcoord4 = &play<execute::texcoord4, unsigned, float, float, float, float>;
-constexpr PlayFunction kFogCoord = &play<execute::fog_coord, float>;
 
 using Values = std::array<float, 4>;
 
@@ -33,6 +33,10 @@ unsigned texture_unit(const void* payload) {
 Values three(const void* payload) {
   const auto& [x, y, z] = *static_cast<const std::tuple<float, float, float>*>(payload);
   return {x, y, z, 1};
+}
+
+Values one(const void* payload) {
+  return {std::get<0>(*static_cast<const std::tuple<float>*>(payload)), 0, 0, 1};
 }
 
 Values four(const void* payload) {
@@ -77,6 +81,7 @@ void ListWelder::read_between(const DisplayList& list, std::size_t end, std::siz
     if (command.play == kNormal3) known_[kNormal] = three(command.payload);
     else if (command.play == kColor4) known_[kColor] = four(command.payload);
     else if (command.play == kSecondary3) known_[kSecondaryColor] = three(command.payload);
+    else if (command.play == kFogCoordinate) known_[kFogCoord] = one(command.payload);
     else {
       // Another list, an attribute group or an array may change current values; anything may change
       // the state.
@@ -92,8 +97,9 @@ bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Prim
   DisplayList::Command command = list.at(begin);
   primitive.mode = std::get<0>(*static_cast<const std::tuple<GLenum>*>(command.payload));
   if (primitive.mode > GL_POLYGON) return false;
-  static constexpr std::uint8_t kFields[] = {kFieldNormal, kFieldColor, kFieldSecondaryColor};
-  static constexpr unsigned kSizes[] = {3, 4, 3};
+  static constexpr std::uint8_t kFields[] = {kFieldNormal, kFieldColor, kFieldSecondaryColor,
+                                             kFieldFogCoord};
+  static constexpr unsigned kSizes[] = {3, 4, 3, 1};
   bool has_vertices = false;
   for (std::size_t at = command.next; at < list.size(); at = command.next) {
     command = list.at(at);
@@ -123,7 +129,9 @@ bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Prim
       if (!set(kColor, four(command.payload))) return false;
     } else if (command.play == kSecondary3) {
       if (!set(kSecondaryColor, three(command.payload))) return false;
-    } else if (command.play != kTexcoord4 && command.play != kFogCoord) {
+    } else if (command.play == kFogCoordinate) {
+      if (!set(kFogCoord, one(command.payload))) return false;
+    } else if (command.play != kTexcoord4) {
       return false;
     }
   }

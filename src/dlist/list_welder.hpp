@@ -23,7 +23,7 @@ class ListWelder {
  private:
   /// One attribute whose value the list itself has set.
   using Known = std::optional<std::array<float, 4>>;
-  enum Attribute { kNormal, kColor, kSecondaryColor, kAttributeKinds };
+  enum Attribute { kNormal, kColor, kSecondaryColor, kFogCoord, kAttributeKinds };
 
   struct Primitive {
     GLenum mode = 0;

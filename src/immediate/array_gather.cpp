@@ -17,6 +17,7 @@ ArrayGather::ArrayGather(const legacy_gl_context& context, const ArrayViews& vie
   if (layout.fields & kFieldColor) add(views, kColorArray, offsets.color, 4);
   if (layout.fields & kFieldSecondaryColor)
     add(views, kSecondaryColorArray, offsets.secondary_color, 3);
+  if (layout.fields & kFieldFogCoord) add(views, kFogCoordArray, offsets.fog_coord, 1);
   if (layout.fields & kFieldEdgeFlag) add(views, kEdgeFlagArray, offsets.edge_flag, 1);
   interleave_ = find_interleave();
 }

@@ -94,6 +94,7 @@ std::optional<VertexLayout> mesh_layout(const ArrayViews& views, const ElementRa
       case kNormalArray: layout.fields |= kFieldNormal; break;
       case kColorArray: layout.fields |= kFieldColor; break;
       case kSecondaryColorArray: layout.fields |= kFieldSecondaryColor; break;
+      case kFogCoordArray: layout.fields |= kFieldFogCoord; break;
       default: return {};
     }
   }

@@ -1,13 +1,15 @@
 #pragma once
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <span>
 
 namespace legacy_gl {
 
 /// True when one of `count` positions, `stride` floats apart, is outside the view volume (GL 2.1
-/// spec 2.12).
-bool any_outside(const glm::mat4& modelview_projection, const float* positions, std::uint32_t count,
-                 unsigned stride, bool has_w);
+/// spec 2.12), or behind one of the planes, which are in clip coordinates.
+bool any_outside(const glm::mat4& modelview_projection, std::span<const glm::vec4> planes,
+                 const float* positions, std::uint32_t count, unsigned stride, bool has_w);
 
 /// True when all of them are beyond the same clip plane, farther than float32 rounds: nothing that
 /// they make up is seen.

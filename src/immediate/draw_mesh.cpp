@@ -29,6 +29,7 @@ void record_mesh(Context& context, const ListMesh& mesh) {
     if (both & kFieldNormal) copy(to.normal, from.normal, 3);
     if (both & kFieldColor) copy(to.color, from.color, 4);
     if (both & kFieldSecondaryColor) copy(to.secondary_color, from.secondary_color, 3);
+    if (both & kFieldFogCoord) copy(to.fog_coord, from.fog_coord, 1);
   }
   for (const PrimitiveRun& run : mesh.runs) {
     std::uint32_t* const elements = recorder.append_elements(context, run.mode, run.count);

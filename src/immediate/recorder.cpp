@@ -26,6 +26,7 @@ float* put_fields(const Context& context, const VertexLayout& layout, float* at)
   if (layout.fields & kFieldNormal) at = put(at, context.current.normal, 3);
   if (layout.fields & kFieldColor) at = put(at, context.current.color, 4);
   if (layout.fields & kFieldSecondaryColor) at = put(at, context.current.secondary_color, 3);
+  if (layout.fields & kFieldFogCoord) *at++ = context.current.fog_coordinate;
   if (layout.materials) {
     for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
       if (layout.materials & (1u << i))
@@ -67,6 +68,8 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
     layout.fields = kFieldColor;
     if (context.color_sum_enabled) layout.fields |= kFieldSecondaryColor;
   }
+  if (context.fog.enabled && context.fog.coordinate_source == GL_FOG_COORD)
+    layout.fields |= kFieldFogCoord;
   if (is_unfilled(context.raster.polygon)) layout.fields |= kFieldEdgeFlag;
   return layout;
 }
@@ -281,6 +284,7 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
     if (layout_.fields & kFieldNormal) keep(wide.normal, old.normal, 3);
     if (layout_.fields & kFieldColor) keep(wide.color, old.color, 4);
     if (layout_.fields & kFieldSecondaryColor) keep(wide.secondary_color, old.secondary_color, 3);
+    if (layout_.fields & kFieldFogCoord) keep(wide.fog_coord, old.fog_coord, 1);
     if (layout_.fields & kFieldEdgeFlag) keep(wide.edge_flag, old.edge_flag, 1);
     for (unsigned m = 0; m < 2 * kPropertyCount; ++m)
       if (layout_.materials & (1u << m))

@@ -15,6 +15,7 @@ enum VertexField : std::uint8_t {
   kFieldEdgeFlag = 16,  ///< 1 float, 0 or 1; recorded while polygons are drawn as lines or points
   kFieldLightingPosition = 32,  ///< as many floats as the position: where the vertex is lit
   kFieldDepthOffset = 64,       ///< 1 float: polygon offset in normalised device coordinates
+  kFieldFogCoord = 128,         ///< 1 float
 };
 
 struct VertexLayout {
@@ -26,7 +27,7 @@ struct VertexLayout {
 /// Offset in floats of each field, and of the material properties that are present.
 struct VertexOffsets {
   unsigned position_size = 3;
-  unsigned normal = 0, color = 0, secondary_color = 0, edge_flag = 0;
+  unsigned normal = 0, color = 0, secondary_color = 0, fog_coord = 0, edge_flag = 0;
   unsigned lighting_position = 0, depth_offset = 0;
   unsigned materials[2 * kPropertyCount] = {};
   unsigned stride = 0;  ///< in floats
@@ -48,6 +49,7 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
   if (layout.fields & kFieldNormal) take(offsets.normal, 3);
   if (layout.fields & kFieldColor) take(offsets.color, 4);
   if (layout.fields & kFieldSecondaryColor) take(offsets.secondary_color, 3);
+  if (layout.fields & kFieldFogCoord) take(offsets.fog_coord, 1);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i)) take(offsets.materials[i], material_size(i % kPropertyCount));
   if (layout.fields & kFieldEdgeFlag) take(offsets.edge_flag, 1);

@@ -11,7 +11,9 @@ enum AttributeLocation : unsigned {
   kLocationSecondaryColor = 3,
   kLocationMaterial = 4,  ///< front ambient, diffuse, specular, emission, shininess, then back
   kLocationLightingPosition = kLocationMaterial + 10,
-  kLocationDepthOffset
+  kLocationDepthOffset,
+  /// Polygon offset of unfilled polygons goes first where both are asked for.
+  kLocationFogCoord = kLocationDepthOffset
 };
 inline constexpr unsigned kAttributeCount = kLocationDepthOffset + 1;
 

@@ -25,6 +25,18 @@ struct FragmentColors {
   void make_variable(Writer& w);
 };
 
+/// Fog, alpha test and clip planes; nothing where the key has none. Distances are set after
+/// gl_Position.
+void emit_fog_block(Writer& w, const FragmentKey& key);
+void emit_fog_coordinate(Writer& w, const FragmentKey& key);
+void emit_fog(Writer& w, const FragmentKey& key, FragmentColors& colors);
+void emit_alpha_test(Writer& w, const FragmentKey& key, FragmentColors& colors);
+void emit_clip_block(Writer& w, const FragmentKey& key);
+void emit_clip_varyings(Writer& w, const FragmentKey& key, Dialect dialect,
+                        const std::string& direction);
+void emit_clip_distances(Writer& w, const FragmentKey& key, Dialect dialect);
+void emit_clip_discard(Writer& w, const FragmentKey& key, Dialect dialect);
+
 /// The text of the fragment stage.
 std::string emit_fragment(const ProgramKey& key, Dialect dialect);
 

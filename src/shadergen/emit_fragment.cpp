@@ -36,13 +36,17 @@ void FragmentColors::make_variable(Writer& w) {
 std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "fragment");
+  emit_fog_block(w, key.fragments);
   emit_varyings(w, key, dialect, "in");
   w.blank();
   w.line("layout(location = 0) out vec4 fragment_color;");
   w.blank();
   w.open("void main() {");
+  emit_clip_discard(w, key.fragments, dialect);
   FragmentColors colors = emit_face(w, key);
   emit_color_sum(w, key, colors);
+  emit_fog(w, key.fragments, colors);
+  emit_alpha_test(w, key.fragments, colors);
   w.line("fragment_color = " + colors.primary + ";");
   w.close();
   return w.text();

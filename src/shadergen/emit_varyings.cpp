@@ -18,6 +18,8 @@ void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
   if (key.two_side) w.line(start + " vec4 back_color;");
   if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
   if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
+  if (key.fragments.has_fog()) w.line(direction + " float fog_distance;");
+  emit_clip_varyings(w, key.fragments, dialect, direction);
 }
 
 }  // namespace legacy_gl

@@ -26,6 +26,7 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
   if (key.lit) emit_input(w, kLocationNormal, "vec3", "normal");
   if (key.lighting_position) emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
   if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
+  if (key.fragments.fog_coordinate) emit_input(w, kLocationFogCoord, "float", "fog_coordinate");
   if (reads_color(key)) emit_input(w, kLocationColor, "vec4", "color");
   if (key.secondary_from_vertex) emit_input(w, kLocationSecondaryColor, "vec3", "secondary_color");
   for (unsigned face = 0; face < 2; ++face)
@@ -61,6 +62,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.blank();
   const bool general = key.general_lights != 0;
   if (key.lit) general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
+  emit_fog_block(w, key.fragments);
+  emit_clip_block(w, key.fragments);
   emit_inputs(w, key);
   emit_varyings(w, key, dialect, "out");
   // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own
@@ -72,6 +75,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.line("gl_Position = modelview_projection * position;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
   if (key.points) emit_point(w, dialect);
+  emit_clip_distances(w, key.fragments, dialect);
+  emit_fog_coordinate(w, key.fragments);
   if (key.lit) {
     general ? emit_general_space(w, key) : emit_lighting_space(w, key);
     general ? emit_general_lights(w, key) : emit_lights(w, key);

@@ -26,6 +26,18 @@ std::string describe_kind(std::uint8_t kind) {
   return text + ")";
 }
 
+void describe_fragments(std::string& text, const FragmentKey& key) {
+  static constexpr const char* kFog[] = {"", "linear fog", "exponential fog", "exp2 fog"};
+  static constexpr const char* kAlpha[] = {"", "never", "<", "=", "<=", ">", "!=", ">="};
+  if (key.has_fog())
+    append(text, std::string(kFog[static_cast<unsigned>(key.fog)]) +
+                     (key.fog_coordinate ? " by coordinate" : ""));
+  if (key.has_alpha_test())
+    append(text, std::string("alpha test ") + kAlpha[static_cast<unsigned>(key.alpha)]);
+  for (unsigned plane = 0; plane < 8; ++plane)
+    if (key.clip_planes & 1u << plane) append(text, "clip plane " + std::to_string(plane));
+}
+
 }  // namespace
 
 std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
@@ -55,6 +67,10 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   for (const LightRun& run : key.lights)
     mix(hash, static_cast<std::size_t>(run.kind) << 16 | run.count);
   mix(hash, key.general_lights);
+  mix(hash, static_cast<std::size_t>(key.fragments.fog) << 24 |
+                static_cast<std::size_t>(key.fragments.alpha) << 16 |
+                std::size_t{key.fragments.clip_planes} << 8 |
+                static_cast<std::size_t>(key.fragments.fog_coordinate));
   return hash;
 }
 
@@ -103,6 +119,7 @@ std::string describe(const ProgramKey& key) {
   if (key.back_only) append(text, "back faces");
   if (key.lighting_position) append(text, "lit at the provoking vertex");
   if (key.depth_offset) append(text, "depth offset");
+  describe_fragments(text, key.fragments);
   return text;
 }
 

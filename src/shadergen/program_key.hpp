@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include "shadergen/fragment_key.hpp"
+
 namespace legacy_gl {
 
 /// The GLSL a driver speaks. Not part of the key: one context has one dialect.
@@ -83,6 +85,7 @@ struct ProgramKey {
   /// 0, or the key is a general program's: room for this many lights, whose facts are uniforms
   /// (general.hpp).
   std::uint16_t general_lights = 0;
+  FragmentKey fragments;
   bool operator==(const ProgramKey&) const = default;
 
   unsigned light_count() const {

@@ -17,10 +17,13 @@ enum UniformBlock : unsigned {
   kBackBlock,
   kPreciseBlock,
   kGeneralBlock,
+  kFragmentsBlock,
+  kClipPlanesBlock,
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
-    "Transform", "Lights", "FrontMaterial", "BackMaterial", "Precise", "General"};
+    "Transform", "Lights",  "FrontMaterial", "BackMaterial",
+    "Precise",   "General", "Fragments",     "ClipPlanes"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
@@ -104,6 +107,30 @@ inline constexpr const char* kGeneralBlockText = R"(layout(std140) uniform Gener
 )";
 static_assert(offsetof(GeneralUniforms, light_ends) == 112);
 static_assert(sizeof(GeneralUniforms) == 144);
+
+/// Fog and alpha test.
+struct FragmentUniforms {
+  glm::vec4 eye_depth{0};  ///< times an object position: its depth in eye coordinates
+  glm::vec4 fog_color{0};
+  glm::vec4 fog_parameters{0};  ///< x, y: the mode's factors; w: the alpha test's reference
+};
+inline constexpr const char* kFragmentsBlockText = R"(layout(std140) uniform Fragments {
+  vec4 eye_depth;       // times an object position: its depth in eye coordinates
+  vec4 fog_color;
+  vec4 fog_parameters;  // xy: factors, w: the alpha test's reference
+};
+)";
+static_assert(sizeof(FragmentUniforms) == 48);
+
+inline constexpr unsigned kMaxClipDistances = 6;
+struct ClipPlaneUniforms {
+  std::array<glm::vec4, kMaxClipDistances> planes{};  ///< in clip coordinates
+};
+inline constexpr const char* kClipPlanesBlockText = R"(layout(std140) uniform ClipPlanes {
+  vec4 clip_planes[6];  // in clip coordinates
+};
+)";
+static_assert(sizeof(ClipPlaneUniforms) == 96);
 
 /// A light's colours times the material's; the light's own colour where the material comes with the
 /// vertex.

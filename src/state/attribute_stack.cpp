@@ -39,7 +39,8 @@ void restore_raster(Context& context, GLbitfield mask, const RasterState& saved)
   if (mask & GL_COLOR_BUFFER_BIT) {
     if (now.color_buffer.draw_buffer != saved.color_buffer.draw_buffer)
       set_draw_buffer(context, saved.color_buffer.draw_buffer);
-    assign(context, now.color_buffer, saved.color_buffer, kDirtyRaster);
+    assign(context, now.color_buffer, saved.color_buffer,
+           kDirtyRaster | kDirtyKey | kDirtyFragments);
   }
 }
 
@@ -66,8 +67,9 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
     level.lighting = context.lighting;
   }
   level.transform = {context.transform.matrix_mode, context.transform.normalize_enabled,
-                     context.transform.rescale_normal_enabled};
+                     context.transform.rescale_normal_enabled, context.transform.clip};
   level.raster = context.raster;
+  level.fog = context.fog;
   level.hints = context.hints;
   level.list_base = context.lists.base;
   level.active_texture = context.active_texture;
@@ -88,10 +90,13 @@ void restore_attributes(Context& context, const SavedAttributes& level) {
     assign(context, now.normalize_enabled, level.transform.normalize_enabled, kDirtyTransform);
     assign(context, now.rescale_normal_enabled, level.transform.rescale_normal_enabled,
            kDirtyTransform);
+    assign(context, now.clip, level.transform.clip, kDirtyKey | kDirtyFragments | kDirtyRaster);
   }
   restore_raster(context, mask, level.raster);
-  if (mask & GL_FOG_BIT)
+  if (mask & GL_FOG_BIT) {
     assign(context, context.color_sum_enabled, level.color_sum_enabled, kDirtyKey);
+    assign(context, context.fog, level.fog, kDirtyKey | kDirtyFragments);
+  }
   if (mask & GL_HINT_BIT) context.hints = level.hints;
   if (mask & GL_LIST_BIT) context.lists.base = level.list_base;
   if (mask & GL_TEXTURE_BIT) context.active_texture = level.active_texture;

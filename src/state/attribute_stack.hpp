@@ -4,7 +4,9 @@
 
 #include "immediate/client_arrays.hpp"
 #include "lighting/lighting_state.hpp"
+#include "state/clip_planes.hpp"
 #include "state/current.hpp"
+#include "state/fog.hpp"
 #include "state/gl_types.hpp"
 #include "state/raster.hpp"
 
@@ -17,6 +19,7 @@ struct TransformGroup {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize_enabled = false;
   bool rescale_normal_enabled = false;
+  ClipPlanes clip;
 };
 
 /// One level of the attribute stack: the groups that `mask` names (GL 2.1 spec 6.1.14, tables 6.6
@@ -27,6 +30,7 @@ struct SavedAttributes {
   LightingState lighting;
   TransformGroup transform;
   RasterState raster;
+  FogState fog;
   HintState hints;
   GLuint list_base = 0;
   unsigned active_texture = 0;

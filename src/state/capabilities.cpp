@@ -35,13 +35,21 @@ bool* raster_flag(RasterState& raster, GLenum capability) {
 }
 
 /// Those of GL_ENABLE_BIT (GL 2.1 spec table 6.6 to 6.33); client arrays are not among them.
-constexpr GLenum kEnableGroup[] = {GL_BLEND,
+constexpr GLenum kEnableGroup[] = {GL_ALPHA_TEST,
+                                   GL_BLEND,
+                                   GL_CLIP_PLANE0,
+                                   GL_CLIP_PLANE1,
+                                   GL_CLIP_PLANE2,
+                                   GL_CLIP_PLANE3,
+                                   GL_CLIP_PLANE4,
+                                   GL_CLIP_PLANE5,
                                    GL_COLOR_LOGIC_OP,
                                    GL_COLOR_MATERIAL,
                                    GL_COLOR_SUM,
                                    GL_CULL_FACE,
                                    GL_DEPTH_TEST,
                                    GL_DITHER,
+                                   GL_FOG,
                                    GL_INDEX_LOGIC_OP,
                                    GL_LIGHTING,
                                    GL_LINE_SMOOTH,
@@ -79,8 +87,6 @@ void restore_enables(Context& context, const std::vector<std::uint8_t>& enables)
 
 bool is_unbuilt_capability(GLenum capability) {
   switch (capability) {
-    case GL_ALPHA_TEST:
-    case GL_FOG:
     case GL_TEXTURE_1D:
     case GL_TEXTURE_2D:
     case GL_TEXTURE_3D:
@@ -94,8 +100,7 @@ bool is_unbuilt_capability(GLenum capability) {
     case GL_POINT_SMOOTH:
     case GL_AUTO_NORMAL: return true;
     default:
-      return (capability >= GL_CLIP_PLANE0 && capability <= GL_CLIP_PLANE5) ||
-             (capability >= GL_MAP1_COLOR_4 && capability <= GL_MAP1_VERTEX_4) ||
+      return (capability >= GL_MAP1_COLOR_4 && capability <= GL_MAP1_VERTEX_4) ||
              (capability >= GL_MAP2_COLOR_4 && capability <= GL_MAP2_VERTEX_4);
   }
 }
@@ -138,7 +143,22 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
       assign(context, context.transform.rescale_normal_enabled, enabled, kDirtyTransform);
       return true;
     case GL_COLOR_SUM: assign(context, context.color_sum_enabled, enabled, kDirtyKey); return true;
+    case GL_FOG:
+      assign(context, context.fog.enabled, enabled, kDirtyKey | kDirtyFragments);
+      return true;
+    case GL_ALPHA_TEST:
+      assign(context, context.raster.color_buffer.alpha_test_enabled, enabled,
+             kDirtyKey | kDirtyFragments);
+      return true;
     default: break;
+  }
+  if (const GLenum plane = capability - GL_CLIP_PLANE0; plane < kMaxClipPlanes) {
+    const std::uint8_t before = context.transform.clip.enabled;
+    const auto bit = static_cast<std::uint8_t>(1u << plane);
+    assign(context, context.transform.clip.enabled,
+           static_cast<std::uint8_t>(enabled ? before | bit : before & ~bit),
+           kDirtyKey | kDirtyFragments | kDirtyRaster);
+    return true;
   }
   if (is_unbuilt_capability(capability)) {
     if (!enabled) return true;
@@ -167,8 +187,12 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
     case GL_NORMALIZE: return context.transform.normalize_enabled;
     case GL_RESCALE_NORMAL: return context.transform.rescale_normal_enabled;
     case GL_COLOR_SUM: return context.color_sum_enabled;
+    case GL_FOG: return context.fog.enabled;
+    case GL_ALPHA_TEST: return context.raster.color_buffer.alpha_test_enabled;
     default: break;
   }
+  if (const GLenum plane = capability - GL_CLIP_PLANE0; plane < kMaxClipPlanes)
+    return (context.transform.clip.enabled >> plane & 1) != 0;
   if (is_unbuilt_capability(capability)) return false;
   RasterState raster = context.raster;
   const bool* const flag = raster_flag(raster, capability);

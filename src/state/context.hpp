@@ -13,8 +13,10 @@
 #include "lighting/lighting_state.hpp"
 #include "matrix/matrix_stack.hpp"
 #include "state/attribute_stack.hpp"
+#include "state/clip_planes.hpp"
 #include "state/current.hpp"
 #include "state/dirty.hpp"
+#include "state/fog.hpp"
 #include "state/raster.hpp"
 
 namespace legacy_gl {
@@ -26,6 +28,7 @@ struct TransformState {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize_enabled = false;
   bool rescale_normal_enabled = false;
+  ClipPlanes clip;
   MatrixStack modelview{32};
   MatrixStack projection{32};
   std::vector<MatrixStack> texture = std::vector<MatrixStack>(kMaxTextureUnits, MatrixStack(10));
@@ -48,6 +51,7 @@ struct legacy_gl_context {
   legacy_gl::LightingState lighting;
   legacy_gl::TransformState transform;
   legacy_gl::RasterState raster;
+  legacy_gl::FogState fog;
   legacy_gl::HintState hints;
   legacy_gl::PixelStore pack, unpack;
   GLenum read_buffer = GL_FRONT;  ///< set when the framebuffer is known

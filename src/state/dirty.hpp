@@ -11,6 +11,7 @@ enum Dirty : std::uint32_t {
   kDirtyMaterial = 1u << 2,   ///< material values, light model ambient
   kDirtyKey = 1u << 3,        ///< a state that chooses the program variant
   kDirtyRaster = 1u << 4,     ///< a state that the driver still has: depth, blend, cull, ...
+  kDirtyFragments = 1u << 6,  ///< fog, the alpha test's reference, clip planes
   kDirtyAll = 0xffffffffu
 };
 

@@ -22,23 +22,13 @@ constexpr Query kRasterPosition[] = {
     {GL_CURRENT_RASTER_POSITION_VALID, kBoolean, fixed<1>},
 };
 
-constexpr Query kFogAndFragments[] = {
-    {GL_FOG_COLOR, kNormalised, fixed<0, 0, 0, 0>},
-    {GL_FOG_INDEX, kFloat, fixed<0>},
-    {GL_FOG_DENSITY, kFloat, fixed<1>},
-    {GL_FOG_START, kFloat, fixed<0>},
-    {GL_FOG_END, kFloat, fixed<1>},
-    {GL_FOG_MODE, kInteger, fixed<GL_EXP>},
-    {GL_FOG_COORDINATE_SOURCE, kInteger, fixed<GL_FRAGMENT_DEPTH>},
-    {GL_ALPHA_TEST_FUNC, kInteger, fixed<GL_ALWAYS>},
-    {GL_ALPHA_TEST_REF, kNormalised, fixed<0>},
+constexpr Query kStipplesAndPoints[] = {
     {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
     {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
     {GL_POINT_SIZE_MIN, kFloat, fixed<0>},
     {GL_POINT_FADE_THRESHOLD_SIZE, kFloat, fixed<1>},
     {GL_POINT_DISTANCE_ATTENUATION, kFloat, fixed<1, 0, 0>},
     {GL_ACCUM_CLEAR_VALUE, kNormalised, fixed<0, 0, 0, 0>},
-    {GL_MAX_CLIP_PLANES, kInteger, fixed<6>},
 };
 
 constexpr Query kTexture[] = {
@@ -106,7 +96,7 @@ constexpr Query kAbsentBuffers[] = {
 
 QueryGroups initial_value_queries() {
   static constexpr std::span<const Query> kGroups[] = {
-      kRasterPosition, kFogAndFragments,        kTexture,
+      kRasterPosition, kStipplesAndPoints,      kTexture,
       kPixelTransfer,  kEvaluatorsAndSelection, kAbsentBuffers};
   return kGroups;
 }

@@ -141,6 +141,10 @@ constexpr Query kStencilAndDepth[] = {
 };
 
 constexpr Query kColorBuffer[] = {
+    {GL_ALPHA_TEST_FUNC, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.alpha_function); }},
+    {GL_ALPHA_TEST_REF, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.alpha_reference); }},
     {GL_BLEND_SRC, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.raster.color_buffer.blend_source_rgb); }},
     {GL_BLEND_DST, kInteger,
@@ -208,6 +212,18 @@ constexpr Query kAttributeStacks[] = {
      [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.client.kMaxDepth); }},
 };
 
+constexpr Query kFogAndClipping[] = {
+    {GL_FOG_COLOR, kNormalised, [](Context& c, QueryValues& v) { v.put(c.fog.color); }},
+    {GL_FOG_INDEX, kFloat, [](Context& c, QueryValues& v) { v.put(c.fog.index); }},
+    {GL_FOG_DENSITY, kFloat, [](Context& c, QueryValues& v) { v.put(c.fog.density); }},
+    {GL_FOG_START, kFloat, [](Context& c, QueryValues& v) { v.put(c.fog.start); }},
+    {GL_FOG_END, kFloat, [](Context& c, QueryValues& v) { v.put(c.fog.end); }},
+    {GL_FOG_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.fog.mode); }},
+    {GL_FOG_COORDINATE_SOURCE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.fog.coordinate_source); }},
+    {GL_MAX_CLIP_PLANES, kInteger, [](Context&, QueryValues& v) { v.put(kMaxClipPlanes); }},
+};
+
 constexpr Query kListsAndHints[] = {
     {GL_LIST_BASE, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.base); }},
     {GL_LIST_INDEX, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.compiling_name); }},
@@ -233,7 +249,7 @@ constexpr Query kListsAndHints[] = {
 QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
       kCurrentValues, kTransform,  kLighting,      kRasterization,  kStencilAndDepth,
-      kColorBuffer,   kPixelStore, kListsAndHints, kAttributeStacks};
+      kColorBuffer,   kPixelStore, kListsAndHints, kFogAndClipping, kAttributeStacks};
   return kGroups;
 }
 

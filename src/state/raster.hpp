@@ -31,6 +31,9 @@ struct StencilState {
 };
 
 struct ColorBufferState {
+  bool alpha_test_enabled = false;
+  GLenum alpha_function = GL_ALWAYS;
+  float alpha_reference = 0;
   bool blend_enabled = false;
   GLenum blend_source_rgb = GL_ONE, blend_source_alpha = GL_ONE;
   GLenum blend_destination_rgb = GL_ZERO, blend_destination_alpha = GL_ZERO;

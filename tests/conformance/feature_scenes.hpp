@@ -28,6 +28,9 @@ std::vector<Scene> polygon_mode_scenes();
 std::vector<Scene> material_in_begin_end_scenes();
 std::vector<Scene> vertex_formats_scenes();
 std::vector<Scene> rect_scenes();
+std::vector<Scene> fog_scenes();
+std::vector<Scene> alpha_test_scenes();
+std::vector<Scene> clip_planes_scenes();
 std::vector<Scene> departures_scenes();
 
 }  // namespace legacy_gl::test

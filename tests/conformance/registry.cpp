@@ -25,6 +25,9 @@ const std::vector<Feature>& features() {
       {"material_in_begin_end", material_in_begin_end_scenes()},
       {"vertex_formats", vertex_formats_scenes()},
       {"rect", rect_scenes()},
+      {"fog", fog_scenes()},
+      {"alpha_test", alpha_test_scenes()},
+      {"clip_planes", clip_planes_scenes()},
       {"departures", departures_scenes()},
   };
   return all;

@@ -55,7 +55,7 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_STENCIL_TEST};
 
 constexpr GLenum kUnbuilt[] = {
-    GL_ALPHA_TEST,   GL_AUTO_NORMAL,  GL_CLIP_PLANE0,   GL_CLIP_PLANE5,      GL_FOG,
+    GL_AUTO_NORMAL,  
     GL_LINE_STIPPLE, GL_MAP1_COLOR_4, GL_MAP2_VERTEX_4, GL_POLYGON_STIPPLE,  GL_TEXTURE_1D,
     GL_TEXTURE_2D,   GL_TEXTURE_3D,   GL_POINT_SMOOTH,  GL_TEXTURE_CUBE_MAP, GL_TEXTURE_GEN_S};
 

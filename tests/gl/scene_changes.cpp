@@ -97,6 +97,46 @@ const std::vector<SceneChange>& scene_changes() {
       {"local viewer", [](Gl gl) { gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1); }},
       {"separate specular",
        [](Gl gl) { gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR); }},
+      {"fog", [](Gl gl) { gl.Enable(GL_FOG); }},
+      {"fog density", [](Gl gl) { gl.Fogf(GL_FOG_DENSITY, 0.2f); }},
+      {"fog color",
+       [](Gl gl) {
+         const float color[] = {0.2f, 0.9f, 0.4f, 1};
+         gl.Fogfv(GL_FOG_COLOR, color);
+       }},
+      {"squared fog", [](Gl gl) { gl.Fogi(GL_FOG_MODE, GL_EXP2); }},
+      {"linear fog",
+       [](Gl gl) {
+         gl.Fogi(GL_FOG_MODE, GL_LINEAR);
+         gl.Fogf(GL_FOG_END, 9);
+       }},
+      {"fog start", [](Gl gl) { gl.Fogf(GL_FOG_START, 2); }},
+      {"fog by coordinate",
+       [](Gl gl) {
+         gl.FogCoordf(4);
+         gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+       }},
+      {"no fog", [](Gl gl) { gl.Disable(GL_FOG); }},
+      {"alpha test",
+       [](Gl gl) {
+         gl.Enable(GL_ALPHA_TEST);
+         gl.AlphaFunc(GL_GREATER, 0.8f);
+       }},
+      {"alpha reference", [](Gl gl) { gl.AlphaFunc(GL_GREATER, 0.6f); }},
+      {"alpha function", [](Gl gl) { gl.AlphaFunc(GL_LEQUAL, 0.6f); }},
+      {"no alpha test", [](Gl gl) { gl.Disable(GL_ALPHA_TEST); }},
+      {"clip plane",
+       [](Gl gl) {
+         const double plane[] = {1, 0.3, 0, 0.2};
+         gl.ClipPlane(GL_CLIP_PLANE0, plane);
+         gl.Enable(GL_CLIP_PLANE0);
+       }},
+      {"other plane",
+       [](Gl gl) {
+         const double plane[] = {-0.2, 1, 0, 0.4};
+         gl.ClipPlane(GL_CLIP_PLANE0, plane);
+       }},
+      {"no clip plane", [](Gl gl) { gl.Disable(GL_CLIP_PLANE0); }},
       {"global ambient",
        [](Gl gl) {
          const float ambient[] = {0.4f, 0.1f, 0.5f, 1};
