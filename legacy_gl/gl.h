@@ -1319,7 +1319,7 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglLightModeliv(GLenum pname, const GLint 
  *  GL_INVALID_ENUM: mode is not a material colour */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColorMaterial(GLenum face, GLenum mode);
 /** GL 2.1 spec 2.14.7.
- *  GL_INVALID_ENUM: mode is not GL_FLAT or GL_SMOOTH */
+ *  GL_INVALID_ENUM: mode is not GL_FLAT, GL_SMOOTH or GL_PHONG_WIN */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglShadeModel(GLenum mode);
 
 /* 3.3 Points, lines, polygons */

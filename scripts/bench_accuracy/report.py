@@ -54,7 +54,7 @@ EPILOGUE = """
 
 - Denormal numbers: GLSL lets a driver take them for zero (GLSL 3.30 spec 4.1.4) and llvmpipe does, before
   a shader sees them. Colours stay finite and in [0, 1].
-- A directional light on a vertex at infinity: docs/deviations.md, row D15.
+- A directional light on a vertex at infinity: docs/deviations.md, row D17.
 - An error below about 2e-5: the output colour itself is a float32, and its sum of terms is rounded twice.
 """
 

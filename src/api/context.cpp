@@ -35,8 +35,6 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   if (options.max_lights > kMaxLights || (options.max_lights && options.max_lights < 8))
     return fail(LEGACY_GL_INVALID_ARGUMENT,
                 "max_lights is " + std::to_string(options.max_lights) + ", not 8 to 256");
-  if (options.quality == LEGACY_GL_QUALITY_PER_FRAGMENT)
-    return fail(LEGACY_GL_INVALID_ARGUMENT, "the quality per fragment is not built yet");
   if (options.programs < LEGACY_GL_PROGRAMS_DEFAULT ||
       options.programs > LEGACY_GL_PROGRAMS_GENERAL)
     return fail(LEGACY_GL_INVALID_ARGUMENT, "programs is not one of legacy_gl_programs");

@@ -14,6 +14,7 @@ GLenum* find_hint(HintState& hints, GLenum target) {
     case GL_FOG_HINT: return &hints.fog;
     case GL_GENERATE_MIPMAP_HINT: return &hints.generate_mipmap;
     case GL_TEXTURE_COMPRESSION_HINT: return &hints.texture_compression;
+    case GL_PHONG_HINT_WIN: return &hints.phong;
     default: return nullptr;
   }
 }

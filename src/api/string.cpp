@@ -18,7 +18,7 @@ const char* find_string(Context& c, GLenum name) {
       return c.renderer.c_str();
     case GL_VERSION: return "1.5 legacy_gl 0.1.0";
     // Each name here is a promise that its entry points work.
-    case GL_EXTENSIONS: return "";
+    case GL_EXTENSIONS: return "GL_WIN_phong_shading";
     default: return nullptr;
   }
 }

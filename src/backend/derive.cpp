@@ -68,18 +68,27 @@ bool shininess_comes_with_vertices(const ProgramKey& key) {
          key.material[kBack][kShininess] == MaterialSource::kVertex;
 }
 
+/// GL_WIN_phong_shading: the equation in every fragment.
+bool is_per_fragment(const Context& context) {
+  const GLenum shade_model = context.lighting.shade_model;
+  return shade_model == GL_PHONG_WIN ||
+         (shade_model == GL_SMOOTH && context.options.quality == LEGACY_GL_QUALITY_PER_FRAGMENT);
+}
+
+/// Interpolation leaves nothing of a second float.
+bool is_precise(const Context& context) {
+  return context.options.quality == LEGACY_GL_QUALITY_PRECISE && !is_per_fragment(context);
+}
+
 Quality quality_of(const Context& context) {
   switch (context.options.quality) {
     case LEGACY_GL_QUALITY_FASTEST: return Quality::kFastest;
-    case LEGACY_GL_QUALITY_PRECISE: return Quality::kPrecise;
+    case LEGACY_GL_QUALITY_PRECISE:
+      return is_precise(context) ? Quality::kPrecise : Quality::kDefault;
     case LEGACY_GL_QUALITY_DEFAULT:
     case LEGACY_GL_QUALITY_PER_FRAGMENT: break;
   }
   return Quality::kDefault;
-}
-
-bool is_precise(const Context& context) {
-  return context.options.quality == LEGACY_GL_QUALITY_PRECISE;
 }
 
 /// How long a unit normal is after the normal matrix and GL_RESCALE_NORMAL, under a modelview that
@@ -188,6 +197,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
       choose_lights(context);
     choose_space(context, layout);
     key.quality = key.light_count() ? quality_of(context) : Quality::kDefault;
+    key.per_fragment = key.light_count() && is_per_fragment(context);
     key.angle_error = key.space == LightingSpace::kObject && !linear_.exact && angles_matter(key);
   }
   const bool space_changed = before.space != key.space || before.normal != key.normal ||
@@ -262,7 +272,8 @@ void Derived::update_transform(Context& context) {
 
 void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
-  directions_only_ = !context.transform.normalize_enabled && !reads_position(key);
+  directions_only_ = !context.transform.normalize_enabled && !reads_position(key) &&
+                     (linear_.keeps_angles || !is_per_fragment(context));
   // What lights only normals as they are given is a row of object space under any modelview:
   // (normal × inverse) · l = normal · (inverse × l).
   if (directions_only_) {

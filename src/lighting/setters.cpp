@@ -194,7 +194,8 @@ void set_color_material(Context& context, GLenum face, GLenum mode) {
 
 void set_shade_model(Context& context, GLenum mode) {
   if (in_begin_end(context)) return;
-  if (mode != GL_FLAT && mode != GL_SMOOTH) return raise_error(context, GL_INVALID_ENUM);
+  if (mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN)
+    return raise_error(context, GL_INVALID_ENUM);
   assign(context, context.lighting.shade_model, mode, kDirtyKey);
 }
 

@@ -50,6 +50,16 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key);
 /// lighting space.
 void emit_lighting_space(Writer& w, const ProgramKey& key);
 
+void emit_lighting_position(Writer& w, const ProgramKey& key);
+void emit_lighting_normal(Writer& w, const ProgramKey& key);
+
+/// Lighting in every fragment (GL_WIN_phong_shading): what the vertex hands over, and the
+/// statements of the fragment that leave front_color and its like.
+void emit_per_fragment_varyings(Writer& w, const ProgramKey& key, const std::string& direction);
+void emit_per_fragment_vertex(Writer& w, const ProgramKey& key);
+void emit_per_fragment_blocks(Writer& w, const ProgramKey& key);
+void emit_per_fragment_colors(Writer& w, const ProgramKey& key);
+
 /// Statements that sum the lights: leaves vec4 front_lit, and back_lit, front_specular,
 /// back_specular where the key has them. Reads `vertex` and `n`.
 void emit_lights(Writer& w, const ProgramKey& key);

@@ -37,12 +37,15 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "fragment");
   emit_fog_block(w, key.fragments);
+  if (key.per_fragment) emit_per_fragment_blocks(w, key);
   emit_varyings(w, key, dialect, "in");
   w.blank();
+  if (key.per_fragment) emit_lighting_functions(w, key);
   w.line("layout(location = 0) out vec4 fragment_color;");
   w.blank();
   w.open("void main() {");
   emit_clip_discard(w, key.fragments, dialect);
+  if (key.per_fragment) emit_per_fragment_colors(w, key);
   FragmentColors colors = emit_face(w, key);
   emit_color_sum(w, key, colors);
   emit_fog(w, key.fragments, colors);

@@ -151,7 +151,7 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
   const bool precise = key.quality == Quality::kPrecise;
   const bool fastest = key.quality == Quality::kFastest;
   const bool any_length =
-      key.normal == NormalMode::kNormalize || key.local_viewer || any_light(key, kLightPoint);
+      key.normal == NormalMode::kNormalize || key.per_fragment || lighting_reads_position(key);
   if (precise) emit_precise_functions(w, key);
   else if (any_length) w.raw(fastest ? kFastUnitOfAny : kUnitOfAny);
   if (!precise && half_vectors) w.raw(kUnit);

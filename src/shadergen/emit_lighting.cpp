@@ -101,7 +101,7 @@ std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
     return std::string(kSide[face]) + "_shine(" + q + ")";
   return (key.quality == Quality::kFastest ? "power(" : "power_of_complement(") + q + ", " +
          (key.material[face][kShininess] == MaterialSource::kVertex
-              ? std::string(kMaterialAttributeNames[face][kShininess])
+              ? material_expression(key, face, kShininess)
               : std::string(kSide[face]) + "_ambient_light.w") +
          ")";
 }
@@ -187,14 +187,20 @@ bool lighting_reads_position(const ProgramKey& key) {
 std::string material_expression(const ProgramKey& key, unsigned face, unsigned property) {
   switch (key.material[face][property]) {
     case MaterialSource::kUniform: return "";
-    case MaterialSource::kColor: return "color";
-    case MaterialSource::kVertex: return kMaterialAttributeNames[face][property];
+    case MaterialSource::kColor: return std::string("color") + (key.per_fragment ? "_at" : "");
+    case MaterialSource::kVertex:
+      return std::string(kMaterialAttributeNames[face][property]) + (key.per_fragment ? "_at" : "");
   }
   return "";
 }
 
 void emit_lighting_space(Writer& w, const ProgramKey& key) {
   if (key.quality == Quality::kPrecise) return emit_precise_space(w, key);
+  emit_lighting_position(w, key);
+  emit_lighting_normal(w, key);
+}
+
+void emit_lighting_position(Writer& w, const ProgramKey& key) {
   const std::string position = key.lighting_position ? "lighting_position" : "position";
   if (lighting_reads_position(key)) switch (key.space) {
       case LightingSpace::kObject: w.line("vec3 vertex = " + position + ".xyz;"); break;
@@ -207,6 +213,9 @@ void emit_lighting_space(Writer& w, const ProgramKey& key) {
         w.line("vec3 vertex = position_eye.xyz / (position_eye.w == 0.0 ? 1.0 : position_eye.w);");
         break;
     }
+}
+
+void emit_lighting_normal(Writer& w, const ProgramKey& key) {
   const std::string normal =
       key.space == LightingSpace::kObject ? "normal" : "normal_matrix * normal";
   switch (key.normal) {

@@ -6,8 +6,10 @@ bool has_secondary(const ProgramKey& key) {
   return key.separate_specular || key.secondary_from_vertex;
 }
 
-void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
-                   const std::string& direction) {
+namespace {
+
+void emit_color_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
+                         const std::string& direction) {
   // A driver may drop what only rounding makes of an expression, but not on the way to an invariant
   // output. GLSL 3.30 wants both ends to say so, OpenGL ES the output alone.
   const bool exact =
@@ -18,6 +20,14 @@ void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
   if (key.two_side) w.line(start + " vec4 back_color;");
   if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
   if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
+}
+
+}  // namespace
+
+void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
+                   const std::string& direction) {
+  if (key.per_fragment) emit_per_fragment_varyings(w, key, direction);
+  else emit_color_varyings(w, key, dialect, direction);
   if (key.fragments.has_fog()) w.line(direction + " float fog_distance;");
   emit_clip_varyings(w, key.fragments, dialect, direction);
 }

@@ -61,7 +61,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.raw(kTransformBlockText);
   w.blank();
   const bool general = key.general_lights != 0;
-  if (key.lit) general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
+  if (key.lit && !key.per_fragment)
+    general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
   emit_fog_block(w, key.fragments);
   emit_clip_block(w, key.fragments);
   emit_inputs(w, key);
@@ -77,7 +78,9 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (key.points) emit_point(w, dialect);
   emit_clip_distances(w, key.fragments, dialect);
   emit_fog_coordinate(w, key.fragments);
-  if (key.lit) {
+  if (key.per_fragment) {
+    emit_per_fragment_vertex(w, key);
+  } else if (key.lit) {
     general ? emit_general_space(w, key) : emit_lighting_space(w, key);
     general ? emit_general_lights(w, key) : emit_lights(w, key);
     w.line("front_color = front_lit;");

@@ -242,6 +242,7 @@ constexpr Query kListsAndHints[] = {
      [](Context& c, QueryValues& v) { v.put(c.hints.generate_mipmap); }},
     {GL_TEXTURE_COMPRESSION_HINT, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.hints.texture_compression); }},
+    {GL_PHONG_HINT_WIN, kInteger, [](Context& c, QueryValues& v) { v.put(c.hints.phong); }},
 };
 
 }  // namespace

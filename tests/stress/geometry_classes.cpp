@@ -118,7 +118,7 @@ StressSample homogeneous_vertex(Random& random) {
   return sample;
 }
 
-// Under a light with a position: docs/deviations.md, row D15, has the directional ones.
+// Under a light with a position: docs/deviations.md, row D17, has the directional ones.
 StressSample vertex_at_infinity(Random& random) {
   StressSample sample =
       ordinary(random, away(random, 3, 1), away(random, random.magnitude(-20, 20), 0));

@@ -120,6 +120,9 @@ TEST_P(Stress, Gles) { expect_calm_in<GlesContext>(LEGACY_GL_QUALITY_DEFAULT, "G
 TEST_P(Stress, PreciseCoreProfile) {
   expect_calm_in<CoreContext>(LEGACY_GL_QUALITY_PRECISE, "prec");
 }
+TEST_P(Stress, PerFragmentCoreProfile) {
+  expect_calm_in<CoreContext>(LEGACY_GL_QUALITY_PER_FRAGMENT, "frag");
+}
 TEST_P(Stress, PreciseGles) { expect_calm_in<GlesContext>(LEGACY_GL_QUALITY_PRECISE, "PGLE"); }
 
 INSTANTIATE_TEST_SUITE_P(Classes, Stress,

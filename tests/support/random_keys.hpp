@@ -40,6 +40,8 @@ class RandomKeys {
               property == 4 || chance(2) ? MaterialSource::kVertex : MaterialSource::kColor;
     if (key.light_count() && chance(2))
       key.quality = chance(2) ? Quality::kPrecise : Quality::kFastest;
+    if (key.quality != Quality::kPrecise && !key.flat)
+      key.per_fragment = key.light_count() && chance(4);
     key.scaled_sums = key.light_count() && chance(8);
     if (!specular) return key;
     key.local_viewer = chance(3);
