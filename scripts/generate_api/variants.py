@@ -25,7 +25,7 @@ def function(name, type_letter, count, target, normalised, vector, lead="", lead
         arguments = f"const {gl_type}* v"
         values = [converted(type_letter, f"v[{i}]", normalised) for i in range(count)]
     else:
-        names = "xyzw"[:count] if name.startswith("Vertex") else "abcd"[:count]
+        names = "xyzw"[:count] if name.startswith(("Vertex", "RasterPos", "WindowPos")) else "abcd"[:count]
         arguments = ", ".join(f"{gl_type} {n}" for n in names)
         values = [converted(type_letter, n, normalised) for n in names]
     if lead:
@@ -57,6 +57,8 @@ def _families():
     yield "texcoord", family("TexCoord", "sifd", (1, 2, 3, 4), "texcoord#", lead_argument="0")
     yield "texcoord", family("MultiTexCoord", "sifd", (1, 2, 3, 4), "multi_texcoord#", lead="GLenum target",
                              lead_argument="target")
+    yield "raster", family("RasterPos", "sifd", (2, 3, 4), "raster_position#")
+    yield "raster", family("WindowPos", "sifd", (2, 3), "window_position#")
 
 
 RECT = """LEGACY_GL_API void LEGACY_GL_APIENTRY lglRect{t}({type} x1, {type} y1, {type} x2, {type} y2) {{
@@ -73,7 +75,7 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglEdgeFlagv(const GLboolean* flag) { edge
 
 
 def files():
-    bodies = {"position": [], "color": [], "texcoord": []}
+    bodies = {"position": [], "color": [], "texcoord": [], "raster": []}
     for room, functions in _families():
         for _, _, _, text in functions:
             bodies[room].append(text)
@@ -83,7 +85,8 @@ def files():
                   "v20": "v2[0]", "v21": "v2[1]"}.items()}
         bodies["position"].append(RECT.format(t=letter, type=TYPES[letter], **value))
     bodies["position"].append(EDGE_FLAG)
-    include = {"color": HEADER.replace('attributes.hpp"\n', 'attributes.hpp"\n#include "immediate/normalise.hpp"\n')}
+    include = {"color": HEADER.replace('attributes.hpp"\n', 'attributes.hpp"\n#include "immediate/normalise.hpp"\n'),
+               "raster": HEADER.replace("attributes.hpp", "raster_position.hpp")}
     return {f"vertex_variants_{room}.cpp": include.get(room, HEADER) + "\n" + "\n".join(texts)
             for room, texts in bodies.items()}
 

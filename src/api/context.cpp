@@ -84,7 +84,9 @@ void report_unbuilt(const char* name) {
 }
 
 void draw_pending(Context& context) {
-  if (!context.recorder.inside_begin_end()) context.backend->draw_recorded(context);
+  if (context.recorder.inside_begin_end()) return;
+  if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
+  if (context.recorder.has_pending()) context.backend->draw_recorded(context);
 }
 
 }  // namespace legacy_gl

@@ -27,7 +27,8 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs)
       uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes, StreamBuffer::Use::kManyDraws),
       arrays_(driver),
       meshes_(driver),
-      buffer_arrays_(driver) {
+      buffer_arrays_(driver),
+      bitmaps_(driver) {
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);

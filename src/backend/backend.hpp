@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "backend/bitmaps.hpp"
 #include "backend/buffer_arrays.hpp"
 #include "backend/buffer_objects.hpp"
 #include "backend/derive.hpp"
@@ -53,9 +54,15 @@ class Backend {
   /// that is not worth it, or when the primitives themselves are needed.
   bool draw_streamed(Context& context, const ArrayDraw& draw);
 
+  /// A bitmap whose left lower corner is at the window coordinates (x, y); draw_bitmaps draws it.
+  void add_bitmap(Context& context, GLint x, GLint y, const BitmapImage& image);
+  void draw_bitmaps(Context& context);
+
   const Driver driver;
 
  private:
+  void draw_pixel_quads(Context& context, PixelSource source, const std::vector<float>& vertices,
+                        const RasterState& raster);
   void prepare(Context& context, const VertexLayout& layout);
   /// False when the driver has refused it. The general block is uploaded where it is read.
   bool use_program(Context& context, bool points, std::uint64_t vertices);
@@ -89,6 +96,7 @@ class Backend {
   MeshBuffers meshes_;
   BufferArrays buffer_arrays_;
   RasterApplier raster_;
+  Bitmaps bitmaps_;
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
   bool general_program_ = false;  ///< the program in use reads the general block

@@ -18,6 +18,7 @@ namespace legacy_gl {
   X(BindBuffer, BINDBUFFER)                                                   \
   X(BindBufferBase, BINDBUFFERBASE)                                           \
   X(BindBufferRange, BINDBUFFERRANGE)                                         \
+  X(BindTexture, BINDTEXTURE)                                                 \
   X(BindVertexArray, BINDVERTEXARRAY)                                         \
   X(BlendColor, BLENDCOLOR)                                                   \
   X(BlendEquation, BLENDEQUATION)                                             \
@@ -38,6 +39,7 @@ namespace legacy_gl {
   X(DeleteQueries, DELETEQUERIES)                                             \
   X(DeleteShader, DELETESHADER)                                               \
   X(DeleteSync, DELETESYNC)                                                   \
+  X(DeleteTextures, DELETETEXTURES)                                           \
   X(DeleteVertexArrays, DELETEVERTEXARRAYS)                                   \
   X(DepthFunc, DEPTHFUNC)                                                     \
   X(DepthMask, DEPTHMASK)                                                     \
@@ -55,6 +57,7 @@ namespace legacy_gl {
   X(FrontFace, FRONTFACE)                                                     \
   X(GenBuffers, GENBUFFERS)                                                   \
   X(GenQueries, GENQUERIES)                                                   \
+  X(GenTextures, GENTEXTURES)                                                 \
   X(GenVertexArrays, GENVERTEXARRAYS)                                         \
   X(GetError, GETERROR)                                                       \
   X(GetFloatv, GETFLOATV)                                                     \
@@ -68,6 +71,7 @@ namespace legacy_gl {
   X(GetShaderiv, GETSHADERIV)                                                 \
   X(GetString, GETSTRING)                                                     \
   X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX)                               \
+  X(GetUniformLocation, GETUNIFORMLOCATION)                                   \
   X(Hint, HINT)                                                               \
   X(IsBuffer, ISBUFFER)                                                       \
   X(LineWidth, LINEWIDTH)                                                     \
@@ -83,6 +87,10 @@ namespace legacy_gl {
   X(StencilFunc, STENCILFUNC)                                                 \
   X(StencilMask, STENCILMASK)                                                 \
   X(StencilOp, STENCILOP)                                                     \
+  X(TexImage2D, TEXIMAGE2D)                                                   \
+  X(TexParameteri, TEXPARAMETERI)                                             \
+  X(TexSubImage2D, TEXSUBIMAGE2D)                                             \
+  X(Uniform1i, UNIFORM1I)                                                     \
   X(UniformBlockBinding, UNIFORMBLOCKBINDING)                                 \
   X(UnmapBuffer, UNMAPBUFFER)                                                 \
   X(UseProgram, USEPROGRAM)                                                   \

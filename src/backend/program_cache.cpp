@@ -110,7 +110,16 @@ GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statisti
     const GLuint index = driver_.GetUniformBlockIndex(program, kUniformBlockNames[block]);
     if (index != GL_INVALID_INDEX) driver_.UniformBlockBinding(program, index, block);
   }
+  if (key.pixels != PixelSource::kNone) set_sampler(program, "pixel_texture", kPixelTextureUnit);
   return program;
+}
+
+void ProgramCache::set_sampler(GLuint program, const char* name, unsigned unit) {
+  GLint in_use = 0;
+  driver_.GetIntegerv(GL_CURRENT_PROGRAM, &in_use);
+  driver_.UseProgram(program);
+  driver_.Uniform1i(driver_.GetUniformLocation(program, name), static_cast<GLint>(unit));
+  driver_.UseProgram(static_cast<GLuint>(in_use));
 }
 
 }  // namespace legacy_gl

@@ -42,6 +42,7 @@ class ProgramCache {
   void build_entry(const ProgramKey& key, Entry& entry, legacy_gl_statistics& statistics);
   bool worth_it(const ProgramKey& key, std::uint64_t vertices, Entry& entry);
   GLuint build(const ProgramKey& key, legacy_gl_statistics& statistics);
+  void set_sampler(GLuint program, const char* name, unsigned unit);
   GLuint compile(GLenum stage, const std::string& text);
 
   const Driver& driver_;

@@ -34,7 +34,7 @@ void* DisplayList::append(PlayFunction play, std::size_t size) {
 void DisplayList::append_mesh(std::shared_ptr<const ListMesh> mesh) {
   static_assert(sizeof(void*) <= sizeof(std::uint64_t));
   new (append(&play_mesh, sizeof(std::uint64_t))) const ListMesh*(mesh.get());
-  meshes_.push_back(std::move(mesh));
+  keep(std::move(mesh));
 }
 
 DisplayList::Command DisplayList::at(std::size_t position) const {

@@ -24,6 +24,8 @@ class DisplayList {
 
   /// Room for a command's payload, 8-byte aligned. The address holds until the next append.
   void* append(PlayFunction play, std::size_t size);
+  /// Lives as long as the list: what a payload points to.
+  void keep(std::shared_ptr<const void> object) { kept_.push_back(std::move(object)); }
   void append_mesh(std::shared_ptr<const ListMesh> mesh);
   void execute(legacy_gl_context& context) const;
 
@@ -41,7 +43,7 @@ class DisplayList {
 
  private:
   std::vector<std::uint64_t> words_;
-  std::vector<std::shared_ptr<const ListMesh>> meshes_;
+  std::vector<std::shared_ptr<const void>> kept_;
 };
 
 }  // namespace legacy_gl

@@ -40,6 +40,10 @@ struct ListState {
 
   /// glEnd was recorded.
   void weld() { welder.weld_last_primitive(*compiling_list); }
+  /// What a recorded command points to lives as long as the list.
+  void keep(std::shared_ptr<const void> object) {
+    if (compiling) compiling_list->keep(std::move(object));
+  }
   void* append(PlayFunction play, std::size_t size) { return compiling_list->append(play, size); }
 };
 

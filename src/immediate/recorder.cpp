@@ -74,8 +74,9 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
   return layout;
 }
 
-void Recorder::start_batch(const Context& context) {
+void Recorder::start_batch(Context& context) {
   if (has_pending()) return;
+  if (context.bitmaps_pending) draw_pending(context);
   set_layout(relevant_layout(context));
   cursor_ = storage_.get();
 }

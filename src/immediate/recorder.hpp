@@ -72,7 +72,7 @@ class Recorder {
   static VertexLayout relevant_layout(const legacy_gl_context& context);
 
  private:
-  void start_batch(const legacy_gl_context& context);
+  void start_batch(legacy_gl_context& context);
   void reserve(std::uint32_t more_vertices);
   void widen(const legacy_gl_context& context, const VertexLayout& layout);
   float* emit(legacy_gl_context& context);

@@ -7,6 +7,7 @@ namespace legacy_gl {
 enum AttributeLocation : unsigned {
   kLocationPosition = 0,
   kLocationNormal = 1,
+  kLocationTexel = kLocationNormal,  ///< pixel rectangles have no normal
   kLocationColor = 2,
   kLocationSecondaryColor = 3,
   kLocationMaterial = 4,  ///< front ambient, diffuse, specular, emission, shininess, then back

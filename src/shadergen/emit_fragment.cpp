@@ -17,6 +17,17 @@ FragmentColors emit_face(Writer& w, const ProgramKey& key) {
   return {"color", "secondary", true};
 }
 
+/// The pixel of a pixel rectangle that the fragment belongs to (GL 2.1 spec 3.6.4, 3.7).
+void emit_pixel(Writer& w, const ProgramKey& key, FragmentColors& colors) {
+  static constexpr const char* kPixel = "texelFetch(pixel_texture, ivec2(texel), 0)";
+  switch (key.pixels) {
+    case PixelSource::kNone: break;
+    case PixelSource::kBitmap: w.line(std::string("if (") + kPixel + ".r == 0.0) discard;"); break;
+    case PixelSource::kColors: colors.primary = kPixel; break;
+    case PixelSource::kDepths: w.line(std::string("gl_FragDepth = ") + kPixel + ".r;"); break;
+  }
+}
+
 /// GL 2.1 spec 3.9; a fixed-point framebuffer clamps.
 void emit_color_sum(Writer&, const ProgramKey& key, FragmentColors& colors) {
   if (!has_secondary(key)) return;
@@ -41,12 +52,14 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   emit_varyings(w, key, dialect, "in");
   w.blank();
   if (key.per_fragment) emit_lighting_functions(w, key);
+  if (key.pixels != PixelSource::kNone) w.line("uniform sampler2D pixel_texture;");
   w.line("layout(location = 0) out vec4 fragment_color;");
   w.blank();
   w.open("void main() {");
   emit_clip_discard(w, key.fragments, dialect);
   if (key.per_fragment) emit_per_fragment_colors(w, key);
   FragmentColors colors = emit_face(w, key);
+  emit_pixel(w, key, colors);
   emit_color_sum(w, key, colors);
   emit_fog(w, key.fragments, colors);
   emit_alpha_test(w, key.fragments, colors);

@@ -24,6 +24,7 @@ void emit_input(Writer& w, unsigned location, const std::string& type, const std
 void emit_inputs(Writer& w, const ProgramKey& key) {
   emit_input(w, kLocationPosition, "vec4", "position");
   if (key.lit) emit_input(w, kLocationNormal, "vec3", "normal");
+  if (key.pixels != PixelSource::kNone) emit_input(w, kLocationTexel, "vec2", "texel_position");
   if (key.lighting_position) emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
   if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
   if (key.fragments.fog_coordinate) emit_input(w, kLocationFogCoord, "float", "fog_coordinate");
@@ -58,8 +59,9 @@ void emit_point(Writer& w, Dialect dialect) {
 std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "vertex");
-  w.raw(kTransformBlockText);
-  w.blank();
+  const bool pixels = key.pixels != PixelSource::kNone;
+  if (!pixels) w.raw(kTransformBlockText);
+  if (!pixels) w.blank();
   const bool general = key.general_lights != 0;
   if (key.lit && !key.per_fragment)
     general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
@@ -73,7 +75,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.blank();
   if (key.lit) general ? emit_general_functions(w, key) : emit_lighting_functions(w, key);
   w.open("void main() {");
-  w.line("gl_Position = modelview_projection * position;");
+  w.line(pixels ? "gl_Position = position;" : "gl_Position = modelview_projection * position;");
+  if (pixels) w.line("texel = texel_position;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
   if (key.points) emit_point(w, dialect);
   emit_clip_distances(w, key.fragments, dialect);

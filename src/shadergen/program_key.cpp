@@ -60,7 +60,7 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
   mix(hash, static_cast<std::size_t>(key.space) << 16 | static_cast<std::size_t>(key.normal) << 8 |
-                static_cast<std::size_t>(key.quality));
+                static_cast<std::size_t>(key.quality) | static_cast<std::size_t>(key.pixels) << 24);
   for (const auto& face : key.material)
     for (const MaterialSource source : face) mix(hash, static_cast<std::size_t>(source));
   for (const std::uint8_t shininess : key.integer_shininess) mix(hash, shininess);
@@ -120,6 +120,8 @@ std::string describe(const ProgramKey& key) {
   if (key.lighting_position) append(text, "lit at the provoking vertex");
   if (key.depth_offset) append(text, "depth offset");
   describe_fragments(text, key.fragments);
+  static constexpr const char* kPixels[] = {"", "bitmap", "pixels", "depth pixels"};
+  if (key.pixels != PixelSource::kNone) append(text, kPixels[static_cast<unsigned>(key.pixels)]);
   return text;
 }
 

@@ -55,6 +55,14 @@ enum class Quality : std::uint8_t {
 /// Where a material property comes from.
 enum class MaterialSource : std::uint8_t { kUniform, kColor, kVertex };
 
+/// What the fragments of a pixel rectangle take from the texture that holds its pixels.
+enum class PixelSource : std::uint8_t {
+  kNone,    ///< no pixel rectangle
+  kBitmap,  ///< whether there is a fragment
+  kColors,  ///< the colour
+  kDepths   ///< the depth
+};
+
 /// Everything that chooses the text of a program, and nothing else. Normalised: a field that cannot
 /// matter is zero.
 struct ProgramKey {
@@ -73,6 +81,7 @@ struct ProgramKey {
       false;  ///< unfilled back faces: every primitive of the draw takes the back colour
   bool lighting_position = false;  ///< flat and unfilled: lit where the provoking vertex is
   bool depth_offset = false;       ///< unfilled with polygon offset
+  PixelSource pixels = PixelSource::kNone;
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;
   Quality quality = Quality::kDefault;
@@ -94,6 +103,9 @@ struct ProgramKey {
     return total;
   }
 };
+
+/// The texture unit that pixel rectangles are read from, as the sampler pixel_texture.
+inline constexpr unsigned kPixelTextureUnit = 15;
 
 inline constexpr std::uint8_t kGeneralShininess = 255;
 /// The room of a general program unless there are more lights.

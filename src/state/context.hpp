@@ -59,7 +59,8 @@ struct legacy_gl_context {
   legacy_gl::AttributeStacks attribute_stacks;
   legacy_gl::ListState lists;
   bool color_sum_enabled = false;
-  unsigned active_texture = 0;  ///< unit that glMatrixMode(GL_TEXTURE) and its like address
+  bool bitmaps_pending = false;  ///< the backend has bitmaps that are not drawn yet
+  unsigned active_texture = 0;   ///< unit that glMatrixMode(GL_TEXTURE) and its like address
   unsigned client_active_texture = 0;
 
   legacy_gl_statistics statistics{};
@@ -88,10 +89,11 @@ void raise_error(Context& context, GLenum error);
 /// Says once for each message what a program asked for that this library does not do.
 void diagnose(Context& context, const std::string& message);
 
-/// Draws what is recorded. Every setter calls it before it stores a value that differs.
+/// Draws what is recorded, primitives or bitmaps. Every setter calls it before it stores a value
+/// that differs.
 void draw_pending(Context& context);
 inline void flush_pending(Context& context) {
-  if (context.recorder.has_pending()) draw_pending(context);
+  if (context.recorder.has_pending() || context.bitmaps_pending) draw_pending(context);
 }
 
 /// The order of every setter: what was recorded under the old value is drawn, then the value is

@@ -4,10 +4,9 @@
 #include <glm/vec4.hpp>
 
 #include "state/gl_types.hpp"
+#include "state/raster_position.hpp"
 
 namespace legacy_gl {
-
-inline constexpr unsigned kMaxTextureUnits = 8;
 
 /// Current values (GL 2.1 spec 2.7, table 6.6): what the next vertex takes.
 struct CurrentValues {
@@ -17,11 +16,8 @@ struct CurrentValues {
   float fog_coordinate = 0;
   float index = 1;
   bool edge_flag = true;
-  std::array<glm::vec4, kMaxTextureUnits> texture_coordinates = [] {
-    std::array<glm::vec4, kMaxTextureUnits> coordinates{};
-    coordinates.fill(glm::vec4(0, 0, 0, 1));
-    return coordinates;
-  }();
+  std::array<glm::vec4, kMaxTextureUnits> texture_coordinates = kInitialTextureCoordinates;
+  RasterPosition raster;
 };
 
 }  // namespace legacy_gl

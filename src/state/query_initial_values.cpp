@@ -13,15 +13,6 @@ void fixed(Context&, QueryValues& v) {
   (v.put(Values), ...);
 }
 
-constexpr Query kRasterPosition[] = {
-    {GL_CURRENT_RASTER_POSITION, kFloat, fixed<0, 0, 0, 1>},
-    {GL_CURRENT_RASTER_DISTANCE, kFloat, fixed<0>},
-    {GL_CURRENT_RASTER_COLOR, kNormalised, fixed<1, 1, 1, 1>},
-    {GL_CURRENT_RASTER_INDEX, kFloat, fixed<1>},
-    {GL_CURRENT_RASTER_TEXTURE_COORDS, kFloat, fixed<0, 0, 0, 1>},
-    {GL_CURRENT_RASTER_POSITION_VALID, kBoolean, fixed<1>},
-};
-
 constexpr Query kStipplesAndPoints[] = {
     {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
     {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
@@ -95,9 +86,8 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {
-      kRasterPosition, kStipplesAndPoints,      kTexture,
-      kPixelTransfer,  kEvaluatorsAndSelection, kAbsentBuffers};
+  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture, kPixelTransfer,
+                                                       kEvaluatorsAndSelection, kAbsentBuffers};
   return kGroups;
 }
 

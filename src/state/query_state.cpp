@@ -36,6 +36,23 @@ constexpr Query kCurrentValues[] = {
     {GL_EDGE_FLAG, kBoolean, [](Context& c, QueryValues& v) { v.put(c.current.edge_flag); }},
 };
 
+constexpr Query kRasterPosition[] = {
+    {GL_CURRENT_RASTER_POSITION, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.current.raster.position); }},
+    {GL_CURRENT_RASTER_DISTANCE, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.current.raster.distance); }},
+    {GL_CURRENT_RASTER_COLOR, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.current.raster.color); }},
+    {GL_CURRENT_RASTER_INDEX, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.current.raster.index); }},
+    {GL_CURRENT_RASTER_TEXTURE_COORDS, kFloat,
+     [](Context& c, QueryValues& v) {
+       v.put(c.current.raster.texture_coordinates[c.active_texture]);
+     }},
+    {GL_CURRENT_RASTER_POSITION_VALID, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.current.raster.valid); }},
+};
+
 constexpr Query kTransform[] = {
     {GL_MATRIX_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.transform.matrix_mode); }},
     {GL_MODELVIEW_MATRIX, kFloat,
@@ -249,8 +266,9 @@ constexpr Query kListsAndHints[] = {
 
 QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
-      kCurrentValues, kTransform,  kLighting,      kRasterization,  kStencilAndDepth,
-      kColorBuffer,   kPixelStore, kListsAndHints, kFogAndClipping, kAttributeStacks};
+      kCurrentValues, kRasterPosition,  kTransform,      kLighting,
+      kRasterization, kStencilAndDepth, kColorBuffer,    kPixelStore,
+      kListsAndHints, kFogAndClipping,  kAttributeStacks};
   return kGroups;
 }
 

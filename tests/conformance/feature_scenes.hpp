@@ -31,6 +31,7 @@ std::vector<Scene> rect_scenes();
 std::vector<Scene> fog_scenes();
 std::vector<Scene> alpha_test_scenes();
 std::vector<Scene> clip_planes_scenes();
+std::vector<Scene> bitmap_scenes();
 std::vector<Scene> departures_scenes();
 
 }  // namespace legacy_gl::test

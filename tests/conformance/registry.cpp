@@ -28,6 +28,7 @@ const std::vector<Feature>& features() {
       {"fog", fog_scenes()},
       {"alpha_test", alpha_test_scenes()},
       {"clip_planes", clip_planes_scenes()},
+      {"bitmap", bitmap_scenes()},
       {"departures", departures_scenes()},
   };
   return all;

@@ -13,6 +13,14 @@ class RandomKeys {
 
   ProgramKey next() {
     ProgramKey key;
+    if (chance(12)) {
+      key.pixels = static_cast<PixelSource>(1 + below(3));
+      key.fragments.fog = static_cast<FogMode>(below(4));
+      key.fragments.fog_coordinate = key.fragments.has_fog();
+      key.fragments.alpha = static_cast<AlphaFunction>(below(8));
+      key.secondary_from_vertex = chance(2);
+      return key;
+    }
     key.flat = chance(3);
     key.points = chance(5);
     key.position4 = chance(4);

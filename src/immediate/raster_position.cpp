@@ -1,0 +1,83 @@
+#include "immediate/raster_position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "lighting/lit_vertex.hpp"
+
+namespace legacy_gl::execute {
+
+namespace {
+
+bool in_view_volume(const glm::vec4& clip) {
+  const auto within = [&](float value) { return value >= -clip.w && value <= clip.w; };
+  return within(clip.x) && within(clip.y) && within(clip.z);
+}
+
+/// GL 2.1 spec 2.12.
+bool before_clip_planes(const ClipPlanes& clip, const glm::vec4& eye) {
+  for (unsigned i = 0; i < kMaxClipPlanes; ++i)
+    if (clip.enabled >> i & 1 && glm::dot(clip.planes_eye[i], glm::dvec4(eye)) < 0) return false;
+  return true;
+}
+
+float fog_distance(const Context& c, float distance) {
+  return c.fog.coordinate_source == GL_FOG_COORD ? c.current.fog_coordinate : distance;
+}
+
+glm::vec3 to_window(const ViewportState& viewport, const glm::vec4& clip) {
+  const glm::vec3 device = glm::vec3(clip) * (clip.w == 0 ? 1.0f : 1.0f / clip.w);
+  const auto& box = viewport.box;
+  const float half_width = 0.5f * static_cast<float>(box[2]);
+  const float half_height = 0.5f * static_cast<float>(box[3]);
+  const auto depth_scale = static_cast<float>(0.5 * (viewport.depth_far - viewport.depth_near));
+  const auto depth_middle = static_cast<float>(0.5 * (viewport.depth_far + viewport.depth_near));
+  return {device.x * half_width + (half_width + static_cast<float>(box[0])),
+          device.y * half_height + (half_height + static_cast<float>(box[1])),
+          device.z * depth_scale + depth_middle};
+}
+
+}  // namespace
+
+void raster_position(Context& c, float x, float y, float z, float w) {
+  if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
+  RasterPosition& raster = c.current.raster;
+  const glm::vec4 object(x, y, z, w);
+  const glm::vec4 eye = c.transform.modelview.top().single * object;
+  const glm::vec4 clip = c.transform.projection.top().single * eye;
+  raster.valid = in_view_volume(clip) && before_clip_planes(c.transform.clip, eye);
+  if (!raster.valid) return;
+  raster.position = glm::vec4(to_window(c.raster.viewport, clip), clip.w);
+  raster.distance = fog_distance(c, glm::length(glm::vec3(eye)));
+  if (c.lighting.enabled) {
+    const LitColor lit = light_vertex(c, object, c.current.normal, kFront);
+    raster.color = lit.primary;
+    raster.secondary_color = lit.secondary;
+  } else {
+    raster.color = c.current.color;
+    raster.secondary_color = glm::vec3(c.current.secondary_color);
+  }
+  raster.index = c.current.index;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    raster.texture_coordinates[unit] =
+        c.transform.texture[unit].top().single * c.current.texture_coordinates[unit];
+}
+
+void window_position(Context& c, float x, float y, float z) {
+  if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
+  RasterPosition& raster = c.current.raster;
+  const ViewportState& viewport = c.raster.viewport;
+  const double depth = viewport.depth_near + std::clamp(static_cast<double>(z), 0.0, 1.0) *
+                                                 (viewport.depth_far - viewport.depth_near);
+  raster.position = {x, y, static_cast<float>(depth), 1};
+  raster.valid = true;
+  raster.distance = fog_distance(c, 0);
+  raster.color = glm::clamp(c.current.color, 0.0f, 1.0f);
+  raster.secondary_color = glm::clamp(glm::vec3(c.current.secondary_color), 0.0f, 1.0f);
+  raster.index = c.current.index;
+  raster.texture_coordinates = c.current.texture_coordinates;
+}
+
+}  // namespace legacy_gl::execute

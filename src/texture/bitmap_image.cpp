@@ -1,0 +1,50 @@
+#include "texture/bitmap_image.hpp"
+
+#include <algorithm>
+
+namespace legacy_gl {
+
+namespace {
+
+void clear_rest(BitmapImage& image) {
+  const unsigned used = static_cast<unsigned>(image.width) % 8;
+  if (!used) return;
+  const auto mask = static_cast<unsigned char>(0xff00u >> used);
+  for (std::size_t end = image.row_bytes(); end <= image.bits.size(); end += image.row_bytes())
+    image.bits[end - 1] = static_cast<char>(static_cast<unsigned char>(image.bits[end - 1]) & mask);
+}
+
+}  // namespace
+
+BitmapImage BitmapImage::part(GLsizei x, GLsizei y, GLsizei part_width, GLsizei part_height) const {
+  BitmapImage image{part_width, part_height, {}};
+  for (GLsizei row = y; row < y + part_height; ++row)
+    image.bits.append(bits,
+                      static_cast<std::size_t>(row) * row_bytes() + static_cast<std::size_t>(x) / 8,
+                      image.row_bytes());
+  clear_rest(image);
+  return image;
+}
+
+BitmapImage unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height,
+                          const GLubyte* pixels) {
+  BitmapImage image{width, height, {}};
+  const auto size = [](GLint value) { return static_cast<std::size_t>(value); };
+  const std::size_t bits_in_row = size(store.row_length > 0 ? store.row_length : width);
+  const std::size_t alignment = size(store.alignment);
+  const std::size_t stride = (bits_in_row + 8 * alignment - 1) / (8 * alignment) * alignment;
+  image.bits.resize(image.row_bytes() * size(height));
+  for (std::size_t y = 0; y < size(height); ++y) {
+    const GLubyte* const row = pixels + (size(store.skip_rows) + y) * stride;
+    for (std::size_t x = 0; x < size(width); ++x) {
+      const std::size_t at = size(store.skip_pixels) + x;
+      const unsigned shift = static_cast<unsigned>(store.lsb_first ? at % 8 : 7 - at % 8);
+      if (!(row[at / 8] >> shift & 1)) continue;
+      char& byte = image.bits[y * image.row_bytes() + x / 8];
+      byte = static_cast<char>(static_cast<unsigned char>(byte) | 0x80u >> (x % 8));
+    }
+  }
+  return image;
+}
+
+}  // namespace legacy_gl
