@@ -83,6 +83,11 @@ void report_unbuilt(const char* name) {
   raise_error(*context, GL_INVALID_OPERATION);
 }
 
+void leave_matrices(Context& context) {
+  if (context.recorder.has_pending() && !context.backend->transform_recorded(context))
+    draw_pending(context);
+}
+
 void draw_pending(Context& context) {
   if (context.recorder.inside_begin_end()) return;
   if (context.bitmaps_pending) context.backend->draw_bitmaps(context);

@@ -32,6 +32,7 @@ void end_list(Context& c) {
   if (in_begin_end(c)) return;
   if (!c.lists.compiling) return raise_error(c, GL_INVALID_OPERATION);
   c.lists.compiling = false;
+  c.lists.compiling_list->finish();
   c.lists.names->store(c.lists.compiling_name, std::move(c.lists.compiling_list));
   c.lists.compiling_list = nullptr;
   c.lists.compiling_name = 0;

@@ -23,12 +23,17 @@ MatrixStack& current_stack(Context& c) {
   }
 }
 
+void before_change(Context& c) {
+  if (c.transform.matrix_mode == GL_TEXTURE) flush_pending(c);
+  else leave_matrices(c);
+}
+
 /// Outside Begin/End: what is recorded is drawn with the matrix it was recorded under; then the top
 /// may change.
 template <typename Change>
 void change_top(Context& c, Change change) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
-  flush_pending(c);
+  before_change(c);
   change(current_stack(c).top());
   c.dirty |= kDirtyTransform;
 }
@@ -43,7 +48,7 @@ void matrix_mode(Context& c, GLenum mode) {
 /// The same for what the stack may leave uncomputed until it is drawn with.
 void apply(Context& c, const MatrixOperation& operation) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
-  flush_pending(c);
+  before_change(c);
   current_stack(c).apply(operation);
   c.dirty |= kDirtyTransform;
 }
@@ -100,7 +105,7 @@ void pop_matrix(Context& c) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   MatrixStack& stack = current_stack(c);
   if (!stack.can_pop()) return raise_error(c, GL_STACK_UNDERFLOW);
-  flush_pending(c);
+  before_change(c);
   stack.pop();
   c.dirty |= kDirtyTransform;
 }

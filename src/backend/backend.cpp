@@ -29,6 +29,9 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs)
       meshes_(driver),
       buffer_arrays_(driver),
       bitmaps_(driver) {
+  // Mesa's software driver multiplies and adds as C++ does; others may fuse the two.
+  const auto* const renderer = reinterpret_cast<const char*>(driver.GetString(GL_RENDERER));
+  transforms_as_shaders_ = renderer && std::strstr(renderer, "llvmpipe");
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);
@@ -202,7 +205,8 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
         count_scratch_.push_back(static_cast<GLsizei>(run.count));
       }
     } while (end < runs.size() && core_mode(runs[end].mode) == mode &&
-             needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)));
+             needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)) &&
+             !runs[at].apart && !runs[end].apart);
     at = end;
     if (!use_program(context, mode == GL_POINTS, recorder.vertex_count())) continue;
     if (indexed) {
@@ -226,6 +230,7 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
 
 void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
+  if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
   derived_.update(context, recorder.layout(), driver.dialect);
   if (all_beyond_one_plane(derived_.transform.modelview_projection, recorder.data(),

@@ -29,6 +29,13 @@ class Backend {
   /// Draws the recorder's batch and clears it.
   void draw_recorded(Context& context);
 
+  /// Transforms the recorder's last object, so that objects under other matrices can join its
+  /// batch. False when the batch is to be drawn instead.
+  bool transform_recorded(Context& context);
+
+  /// The mesh joins the recorder's batch, if it is small and that is worth it.
+  bool join_mesh(Context& context, const ListMesh& mesh);
+
   /// Draws a display list's mesh in the present state.
   void draw_mesh(Context& context, const ListMesh& mesh);
 
@@ -79,6 +86,9 @@ class Backend {
   void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size,
                     std::size_t room);
   void bind_vertex_array(GLuint array);
+  bool can_transform(Context& context);
+  bool begin_transformed(Context& context);
+  void transform_vertices(Context& context);
   void draw_runs(Context& context, std::uint32_t base_vertex);
   std::uint32_t upload_vertices(Context& context);
   std::optional<std::uint32_t> stream_vertices(Context& context, const ArrayGather& gather,
@@ -99,7 +109,8 @@ class Backend {
   Bitmaps bitmaps_;
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
-  bool general_program_ = false;  ///< the program in use reads the general block
+  bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours
+  bool general_program_ = false;        ///< the program in use reads the general block
   GLuint bound_program_ = 0;
   GLuint bound_array_ = 0;
   std::vector<std::uint32_t> index_scratch_;

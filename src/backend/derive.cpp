@@ -170,8 +170,18 @@ bool by_kind(const ActiveLight& a, const ActiveLight& b) {
 
 }  // namespace
 
+glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear) {
+  if (context.transform.normalize_enabled) return linear.cofactor * linear.determinant_sign;
+  if (context.transform.rescale_normal_enabled)
+    return linear.inverse_transpose * linear.rescale_factor;
+  return linear.inverse_transpose;
+}
+
 void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
-  const std::uint32_t dirty = context.dirty & ~std::uint32_t{kDirtyRaster};
+  std::uint32_t dirty = context.dirty & ~std::uint32_t{kDirtyRaster};
+  const bool transformed = layout.fields & kFieldTransformed;
+  if (transformed != transformed_) dirty |= kDirtyTransform;
+  transformed_ = transformed;
   const bool layout_changed = layout != layout_;
   if (dirty == 0 && !layout_changed) return;
   layout_ = layout;
@@ -185,6 +195,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
     key = ProgramKey{};
     key.lit = context.lighting.enabled;
     key.flat = context.lighting.shade_model == GL_FLAT;
+    key.lighting_position = transformed && layout.fields & kFieldLightingPosition;
     key.secondary_from_vertex = (layout.fields & kFieldSecondaryColor) != 0;
     choose_fragments(context, layout);
     if (key.lit) {
@@ -260,10 +271,15 @@ void Derived::fill_fragments(const Context& context) {
   }
 }
 
+const Matrix& Derived::modelview(const Context& context) const {
+  static const Matrix identity;
+  return transformed_ ? identity : context.transform.modelview.top();
+}
+
 void Derived::update_transform(Context& context) {
-  const glm::dmat4& modelview = context.transform.modelview.top().exact;
-  affine_ = is_affine(modelview);
-  const glm::dmat3 linear(modelview);
+  const glm::dmat4& matrix = modelview(context).exact;
+  affine_ = is_affine(matrix);
+  const glm::dmat3 linear(matrix);
   if (linear_known_ && linear == linear_.matrix) return;
   linear_ = analyse(linear);
   linear_known_ = true;
@@ -412,8 +428,9 @@ void Derived::choose_lights(Context& context) {
 
 void Derived::fill_transform(const Context& context) {
   stale[kTransformBlock] = true;
-  const Matrix& modelview = context.transform.modelview.top();
-  transform.modelview_projection = context.transform.projection.top().single * modelview.single;
+  const Matrix& matrix = modelview(context);
+  transform.modelview_projection =
+      transformed_ ? glm::mat4(1.0f) : context.transform.projection.top().single * matrix.single;
   const float size = whole_point_size(context.raster.point);
   transform.point = {size, std::fmod(size, 2.0f) == 0 ? 0.0f : 0.5f, 0, 0};
   const std::array<GLint, 4>& box = context.raster.viewport.box;
@@ -421,17 +438,13 @@ void Derived::fill_transform(const Context& context) {
   transform.viewport = {
       half_size, glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1])) + half_size};
   if (!key.lit) return;
-  transform.modelview = glm::mat4(modelview.exact);
-  glm::dmat3 normal_matrix = linear_.inverse_transpose;
-  if (context.transform.normalize_enabled)
-    normal_matrix = linear_.cofactor * linear_.determinant_sign;
-  else if (context.transform.rescale_normal_enabled)
-    normal_matrix = normal_matrix * linear_.rescale_factor;
+  transform.modelview = glm::mat4(matrix.exact);
+  const glm::dmat3 normals = normal_matrix(context, linear_);
   for (int column = 0; column < 3; ++column)
-    transform.normal_matrix[static_cast<unsigned>(column)] = finite(normal_matrix[column], 0);
+    transform.normal_matrix[static_cast<unsigned>(column)] = finite(normals[column], 0);
 
   glm::dvec3 viewer(0, 0, 1);  // the direction to an infinite viewer
-  const glm::dvec3 translation(modelview.exact[3]);
+  const glm::dvec3 translation(matrix.exact[3]);
   const bool local = context.lighting.model.local_viewer;
   switch (key.space) {
     case LightingSpace::kObject:
@@ -449,10 +462,9 @@ void Derived::fill_transform(const Context& context) {
   if (key.quality == Quality::kPrecise) {
     stale[kPreciseBlock] = true;
     for (int column = 0; column < 4; ++column)
-      precise.modelview[column] =
-          low(glm::dvec3(modelview.exact[column]), modelview.exact[column].w);
+      precise.modelview[column] = low(glm::dvec3(matrix.exact[column]), matrix.exact[column].w);
     for (int column = 0; column < 3; ++column)
-      precise.normal_matrix[static_cast<unsigned>(column)] = low(normal_matrix[column], 0);
+      precise.normal_matrix[static_cast<unsigned>(column)] = low(normals[column], 0);
     precise.viewer = low(viewer, normal_scale);
   }
   for (int column = 0; column < 3; ++column)
@@ -464,7 +476,7 @@ void Derived::fill_lights(const Context& context) {
   stale[kPreciseBlock] = true;
   lights.clear();
   lights_low.clear();
-  const glm::dvec3 translation(context.transform.modelview.top().exact[3]);
+  const glm::dvec3 translation(modelview(context).exact[3]);
   const bool in_object_space = key.space == LightingSpace::kObject;
   const double scale = in_object_space ? linear_.scale : 1;
   const glm::dmat3 rotation = in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);

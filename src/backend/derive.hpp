@@ -24,6 +24,10 @@ struct ActiveLight {
   double strength = 1;    ///< constant attenuation and the cone of a directional light
 };
 
+/// The matrix that takes normals to eye coordinates, as GL_NORMALIZE and GL_RESCALE_NORMAL ask for
+/// it.
+glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear);
+
 class Derived {
  public:
   /// Brings key and values up to date with the state, as far as the dirty bits (which it clears,
@@ -50,6 +54,7 @@ class Derived {
   }
   void choose_fragments(const Context& context, const VertexLayout& layout);
   void fill_fragments(const Context& context);
+  const Matrix& modelview(const Context& context) const;
   void update_transform(Context& context);
   void choose_space(const Context& context, const VertexLayout& layout);
   void choose_materials(const Context& context, const VertexLayout& layout);
@@ -59,6 +64,8 @@ class Derived {
   void fill_faces(const Context& context);
   void fill_general(const Context& context);
 
+  /// The batch's vertices are in clip coordinates and eye coordinates already.
+  bool transformed_ = false;
   LinearPart linear_;
   bool affine_ = true;
   bool linear_known_ = false;

@@ -14,7 +14,7 @@ namespace {
 /// A field that the state may make relevant, the array that it comes from, and where the programs
 /// expect it.
 struct Source {
-  std::uint8_t field;  ///< 0: always
+  std::uint16_t field;  ///< 0: always
   ArrayIndex array;
   AttributeLocation location;
 };

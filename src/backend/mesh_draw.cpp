@@ -1,16 +1,38 @@
 // Meshes of display lists, drawn from the buffers that keep them.
 #include "backend/backend.hpp"
+#include "immediate/clip_test.hpp"
 #include "immediate/draw_mesh.hpp"
 #include "shadergen/attributes.hpp"
 
 namespace legacy_gl {
 
+namespace {
+
+/// The box around the mesh is beyond a clip plane.
+bool is_outside(const ListMesh& mesh, const glm::mat4& modelview_projection) {
+  std::array<float, 24> corners;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    for (unsigned axis = 0; axis < 3; ++axis)
+      corners[3 * corner + axis] =
+          (corner >> axis & 1 ? mesh.highest : mesh.lowest)[static_cast<int>(axis)];
+  return all_beyond_one_plane(modelview_projection, corners.data(), 8, 3, false);
+}
+
+}  // namespace
+
 void draw_kept_mesh(Context& context, const ListMesh& mesh) {
+  if (context.backend->join_mesh(context, mesh)) return;
+  flush_pending(context);
   context.backend->draw_mesh(context, mesh);
 }
 
 void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const VertexLayout wanted = Recorder::relevant_layout(context);
+  derived_.update(context, wanted, driver.dialect);
+  if (is_outside(mesh, derived_.transform.modelview_projection)) {
+    ++context.statistics.primitives_clipped;
+    return;
+  }
   prepare(context, wanted);
   bool uploaded = false;
   const MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
@@ -22,7 +44,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   }
   bind_vertex_array(buffers.array);
   // What the list does not say is the current value when it is called.
-  const auto missing = static_cast<std::uint8_t>(wanted.fields & ~mesh.layout.fields);
+  const auto missing = static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields);
   const CurrentValues& current = context.current;
   if (missing & kFieldNormal) {
     const glm::vec4 normal(current.normal, 1);

@@ -31,10 +31,14 @@ void* DisplayList::append(PlayFunction play, std::size_t size) {
   return words_.data() + at + kHeaderWords;
 }
 
-void DisplayList::append_mesh(std::shared_ptr<const ListMesh> mesh) {
+void DisplayList::finish() {
+  for (const auto& mesh : meshes_) mesh->finish();
+}
+
+void DisplayList::append_mesh(std::shared_ptr<ListMesh> mesh) {
   static_assert(sizeof(void*) <= sizeof(std::uint64_t));
   new (append(&play_mesh, sizeof(std::uint64_t))) const ListMesh*(mesh.get());
-  keep(std::move(mesh));
+  meshes_.push_back(std::move(mesh));
 }
 
 DisplayList::Command DisplayList::at(std::size_t position) const {

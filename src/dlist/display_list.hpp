@@ -26,7 +26,9 @@ class DisplayList {
   void* append(PlayFunction play, std::size_t size);
   /// Lives as long as the list: what a payload points to.
   void keep(std::shared_ptr<const void> object) { kept_.push_back(std::move(object)); }
-  void append_mesh(std::shared_ptr<const ListMesh> mesh);
+  void append_mesh(std::shared_ptr<ListMesh> mesh);
+  /// The list is complete.
+  void finish();
   void execute(legacy_gl_context& context) const;
 
   std::size_t size() const { return words_.size(); }
@@ -44,6 +46,7 @@ class DisplayList {
  private:
   std::vector<std::uint64_t> words_;
   std::vector<std::shared_ptr<const void>> kept_;
+  std::vector<std::shared_ptr<ListMesh>> meshes_;
 };
 
 }  // namespace legacy_gl

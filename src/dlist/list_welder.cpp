@@ -97,8 +97,8 @@ bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Prim
   DisplayList::Command command = list.at(begin);
   primitive.mode = std::get<0>(*static_cast<const std::tuple<GLenum>*>(command.payload));
   if (primitive.mode > GL_POLYGON) return false;
-  static constexpr std::uint8_t kFields[] = {kFieldNormal, kFieldColor, kFieldSecondaryColor,
-                                             kFieldFogCoord};
+  static constexpr std::uint16_t kFields[] = {kFieldNormal, kFieldColor, kFieldSecondaryColor,
+                                              kFieldFogCoord};
   static constexpr unsigned kSizes[] = {3, 4, 3, 1};
   bool has_vertices = false;
   for (std::size_t at = command.next; at < list.size(); at = command.next) {

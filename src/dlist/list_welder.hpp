@@ -27,7 +27,7 @@ class ListWelder {
 
   struct Primitive {
     GLenum mode = 0;
-    std::uint8_t fields = 0;
+    std::uint16_t fields = 0;
     std::vector<float> vertices;
   };
 

@@ -17,7 +17,7 @@ void record_mesh(Context& context, const ListMesh& mesh) {
   const std::uint32_t base = recorder.vertex_count() - count;
   recorder.put_current(context, recorder.layout(), vertices, count);
   const VertexOffsets to = recorder.offsets(), from = offsets_of(mesh.layout);
-  const auto both = static_cast<std::uint8_t>(recorder.layout().fields & mesh.layout.fields);
+  const auto both = static_cast<std::uint16_t>(recorder.layout().fields & mesh.layout.fields);
   for (std::uint32_t i = 0; i < count; ++i) {
     float* const target = vertices + std::size_t{i} * to.stride;
     const float* const source = mesh.vertices.data() + std::size_t{i} * from.stride;
@@ -46,7 +46,6 @@ void draw_mesh(Context& context, const ListMesh& mesh) {
   const PolygonState& polygon = context.raster.polygon;
   if (polygon.front_mode != GL_FILL || polygon.back_mode != GL_FILL)
     return record_mesh(context, mesh);
-  flush_pending(context);
   draw_kept_mesh(context, mesh);
 }
 

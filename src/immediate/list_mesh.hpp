@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,15 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   /// indexed run counts `elements`.
   std::vector<PrimitiveRun> runs;
   std::vector<std::uint32_t> elements;
+
+  /// All primitives as triangles, of a small mesh of polygons: how it joins a batch of objects.
+  /// Empty where it does not.
+  std::vector<std::uint32_t> triangles;
+
+  glm::vec3 lowest{0}, highest{0};  ///< of the positions
+
+  /// Called once, when nothing joins the mesh any more.
+  void finish();
 
   std::uint32_t vertex_count() const {
     return static_cast<std::uint32_t>(vertices.size() / offsets_of(layout).stride);

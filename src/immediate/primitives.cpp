@@ -67,4 +67,27 @@ void append_indices(const PrimitiveRun& run, const std::vector<std::uint32_t>& e
   }
 }
 
+bool append_triangles(const PrimitiveRun& run, const std::vector<std::uint32_t>& elements,
+                      std::vector<std::uint32_t>& triangles) {
+  const auto vertex = [&](std::uint32_t i) {
+    return run.indexed ? elements[run.first + i] : run.first + i;
+  };
+  switch (run.mode) {
+    case GL_TRIANGLE_STRIP:
+      for (std::uint32_t i = 0; i + 2 < run.count; ++i)
+        triangles.insert(triangles.end(),
+                         {vertex(i + i % 2), vertex(i + 1 - i % 2), vertex(i + 2)});
+      return true;
+    case GL_TRIANGLE_FAN:
+      for (std::uint32_t i = 1; i + 1 < run.count; ++i)
+        triangles.insert(triangles.end(), {vertex(0), vertex(i), vertex(i + 1)});
+      return true;
+    case GL_TRIANGLES:
+    case GL_QUADS:
+    case GL_QUAD_STRIP:
+    case GL_POLYGON: append_indices(run, elements, 0, true, triangles); return true;
+    default: return false;
+  }
+}
+
 }  // namespace legacy_gl

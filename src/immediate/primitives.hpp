@@ -26,4 +26,9 @@ void append_indices(const PrimitiveRun& run, const std::vector<std::uint32_t>& e
                     std::uint32_t base_vertex, bool pipeline_split,
                     std::vector<std::uint32_t>& indices);
 
+/// Appends the triangles that `run` is made of, the last vertex of each the provoking one. False
+/// for points and lines.
+bool append_triangles(const PrimitiveRun& run, const std::vector<std::uint32_t>& elements,
+                      std::vector<std::uint32_t>& triangles);
+
 }  // namespace legacy_gl

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "state/context.hpp"
 
@@ -42,6 +43,12 @@ bool list_of_independent_primitives(GLenum mode) {
   return mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES || mode == GL_QUADS;
 }
 
+/// `run` goes on where `last` ends.
+bool joins(const PrimitiveRun& last, const PrimitiveRun& run) {
+  return last.mode == run.mode && last.indexed == run.indexed && !last.apart && !run.apart &&
+         list_of_independent_primitives(run.mode) && last.first + last.count == run.first;
+}
+
 }  // namespace
 
 std::uint32_t whole_primitives(GLenum mode, std::uint32_t count) {
@@ -77,13 +84,70 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
 void Recorder::start_batch(Context& context) {
   if (has_pending()) return;
   if (context.bitmaps_pending) draw_pending(context);
-  set_layout(relevant_layout(context));
+  VertexLayout layout = relevant_layout(context);
+  joining_ = skip_ == 0;
+  if (skip_) --skip_;
+  if (joining_ && context.lighting.enabled) layout.materials = usual_materials_;
+  set_layout(layout);
   cursor_ = storage_.get();
+}
+
+bool Recorder::joins_objects() {
+  const bool joins = has_pending() ? joining_ : skip_ == 0;
+  if (!joins && !has_pending()) --skip_;
+  tried_joining_ = tried_joining_ || joins;
+  return joins;
+}
+
+void Recorder::end_object(bool apart) {
+  tried_joining_ = true;
+  if (vertex_count() == object_first_) return;
+  ++objects_;
+  object_first_ = vertex_count();
+  const std::size_t run = std::exchange(object_run_, runs_.size());
+  if (apart) {
+    for (std::size_t i = run; i < runs_.size(); ++i) runs_[i].apart = true;
+  } else if (run && run + 1 == runs_.size() && runs_[run].mode != GL_QUADS &&
+             joins(runs_[run - 1], runs_[run])) {
+    runs_[run - 1].count += runs_[run].count;
+    runs_.pop_back();
+    object_run_ = runs_.size();
+  }
+}
+
+void Recorder::put_template(const Context& context, float* vertex) {
+  VertexLayout others = layout_;
+  others.materials = 0;
+  put_fields(context, others, vertex + offsets_.position_size);
+  if (layout_.materials) put_materials(context, vertex + offsets_.materials_begin);
+  if (layout_.fields & kFieldEdgeFlag)
+    vertex[offsets_.edge_flag] = context.current.edge_flag ? 1.0f : 0.0f;
+}
+
+void Recorder::add_fields(const Context& context, std::uint16_t fields) {
+  VertexLayout layout = layout_;
+  layout.fields |= fields;
+  if (layout != layout_) widen(context, layout);
+}
+
+float* Recorder::put_materials(const Context& context, float* at) {
+  if (!materials_cached_) {
+    float* to = materials_.data();
+    for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
+      if (layout_.materials & (1u << i))
+        to = put(to,
+                 material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount),
+                 material_size(i % kPropertyCount));
+    materials_cached_ = true;
+  }
+  const unsigned count = offsets_.materials_end - offsets_.materials_begin;
+  return std::copy_n(materials_.data(), count, at);
 }
 
 void Recorder::set_layout(const VertexLayout& layout) {
   layout_ = layout;
   offsets_ = offsets_of(layout);
+  materials_cached_ = false;
   shape_ = Shape::kOther;
   if (layout.materials) return;
   if (layout.fields == kFieldNormal) shape_ = Shape::kNormal;
@@ -100,7 +164,7 @@ void Recorder::reserve(std::uint32_t more_vertices) {
   const std::size_t wanted = used + std::size_t{more_vertices} * offsets_.stride;
   if (wanted > capacity_floats_) {
     const std::size_t capacity = std::max({wanted, 2 * capacity_floats_, kFirstFloats});
-    std::unique_ptr<float[]> storage(new float[capacity]);
+    std::unique_ptr<float[]> storage(new float[capacity + kSlackFloats]);
     if (used) std::memcpy(storage.get(), storage_.get(), used * sizeof(float));
     storage_ = std::move(storage);
     capacity_floats_ = capacity;
@@ -120,7 +184,7 @@ void Recorder::begin(Context& context, GLenum mode) {
 float* Recorder::emit(Context& context) {
   if (cursor_ >= limit_) reserve(1);
   float* const vertex = cursor_;
-  put_fields(context, layout_, vertex + offsets_.position_size);
+  put_template(context, vertex);
   cursor_ = vertex + offsets_.stride;
   return vertex;
 }
@@ -206,8 +270,7 @@ void Recorder::add_run(Context& context, const PrimitiveRun& run) {
   if (!runs_.empty()) {
     ++context.statistics.begin_end_merged;
     PrimitiveRun& last = runs_.back();
-    if (last.mode == run.mode && last.indexed == run.indexed &&
-        list_of_independent_primitives(run.mode) && last.first + last.count == run.first) {
+    if (runs_.size() > object_run_ && joins(last, run)) {
       last.count += run.count;
       return;
     }
@@ -266,7 +329,7 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
   const std::unique_ptr<float[]> narrow = std::move(storage_);
   const VertexOffsets wide = offsets_of(layout);
   capacity_floats_ = std::max(capacity_floats_, 2 * std::size_t{count + 4} * wide.stride);
-  storage_.reset(new float[capacity_floats_]);
+  storage_.reset(new float[capacity_floats_ + kSlackFloats]);
   const unsigned old_rest = old.stride - old.position_size;
   for (std::uint32_t i = 0; i < count; ++i) {
     const float* const from = narrow.get() + std::size_t{i} * old.stride;
@@ -287,6 +350,8 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
     if (layout_.fields & kFieldSecondaryColor) keep(wide.secondary_color, old.secondary_color, 3);
     if (layout_.fields & kFieldFogCoord) keep(wide.fog_coord, old.fog_coord, 1);
     if (layout_.fields & kFieldEdgeFlag) keep(wide.edge_flag, old.edge_flag, 1);
+    if (layout_.fields & kFieldLightingPosition)
+      keep(wide.lighting_position, old.lighting_position, old.position_size);
     for (unsigned m = 0; m < 2 * kPropertyCount; ++m)
       if (layout_.materials & (1u << m))
         keep(wide.materials[m], old.materials[m], material_size(m % kPropertyCount));
@@ -297,6 +362,7 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
 }
 
 void Recorder::carry_materials(Context& context, MaterialMask mask) {
+  materials_cached_ = false;
   if (!context.lighting.enabled) return;
   VertexLayout layout = layout_;
   layout.materials = static_cast<MaterialMask>(layout.materials | mask);
@@ -304,6 +370,17 @@ void Recorder::carry_materials(Context& context, MaterialMask mask) {
 }
 
 void Recorder::clear() {
+  if (tried_joining_) {
+    // Three objects in a batch pay for the trouble; otherwise it is tried ever more rarely.
+    constexpr std::uint32_t kWorthJoining = 3, kMostSkipped = 4096;
+    const bool paid = objects_ >= kWorthJoining;
+    backoff_ = paid ? 0 : std::min(2 * backoff_ + 16, kMostSkipped);
+    skip_ = backoff_;
+    usual_materials_ = paid ? layout_.materials : MaterialMask{0};
+  }
+  tried_joining_ = false;
+  objects_ = object_first_ = first_untransformed_ = 0;
+  object_run_ = 0;
   runs_.clear();
   elements_.clear();
   cursor_ = storage_.get();

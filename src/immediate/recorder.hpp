@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -18,6 +19,8 @@ struct PrimitiveRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   bool indexed = false;
+  /// Crosses the border of the view: drivers clip all that they draw together with it.
+  bool apart = false;
 };
 
 /// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when
@@ -47,6 +50,36 @@ class Recorder {
   /// From here on vertices carry these material properties; those recorded before get the values of
   /// now.
   void carry_materials(legacy_gl_context& context, MaterialMask mask);
+
+  /// Objects: what lies between changes of matrix or material. Small ones join one batch, unless
+  /// that was tried and nothing came of it.
+  static constexpr std::uint32_t kSmallObject = 128;
+  /// A new object may join the batch, or begin one that others join.
+  bool joins_objects();
+  /// The pending batch goes on after a change: its last object is small. Otherwise it is to be
+  /// drawn.
+  bool object_may_end() const { return joining_ && vertex_count() - object_first_ <= kSmallObject; }
+  /// `apart`: as PrimitiveRun says.
+  void end_object(bool apart = false);
+  /// Takes back the last vertices, which no primitive names yet.
+  void drop_vertices(std::uint32_t count) { cursor_ -= std::size_t{count} * offsets_.stride; }
+  /// What vertices of the current values hold: a whole vertex, of which the position is not set.
+  void put_template(const legacy_gl_context& context, float* vertex);
+  /// Writing a vertex may touch so many floats behind it.
+  static constexpr std::size_t kSlackFloats = 4;
+  /// Vertices from this one on are not transformed yet, in a batch of kFieldTransformed.
+  std::uint32_t first_untransformed() const { return first_untransformed_; }
+  void set_all_transformed() { first_untransformed_ = vertex_count(); }
+  void add_fields(const legacy_gl_context& context, std::uint16_t fields);
+  float* data() { return storage_.get(); }
+  /// The properties may change without an end of the batch, which carries them.
+  bool takes_materials(MaterialMask mask) const {
+    return has_pending() && !inside_ && (layout_.materials & mask) == mask;
+  }
+  void material_changed() {
+    materials_cached_ = false;
+    end_object();
+  }
 
   const VertexLayout& layout() const { return layout_; }
   const VertexOffsets& offsets() const { return offsets_; }
@@ -88,6 +121,19 @@ class Recorder {
   void set_limit();
   void draw_part(legacy_gl_context& context);
 
+  float* put_materials(const legacy_gl_context& context, float* at);
+
+  std::uint32_t object_first_ = 0;
+  std::size_t object_run_ = 0;  ///< the object's first of runs_
+  std::uint32_t objects_ = 0;   ///< that ended in this batch
+  std::uint32_t first_untransformed_ = 0;
+  bool joining_ = true;
+  bool tried_joining_ = false;
+  std::uint32_t skip_ = 0;  ///< batches that are not to be tried
+  std::uint32_t backoff_ = 0;
+  MaterialMask usual_materials_ = 0;  ///< what the last batch of several objects carried
+  bool materials_cached_ = false;
+  std::array<float, 34> materials_{};  ///< as the vertices carry them
   float* cursor_ = nullptr;
   float* limit_ = nullptr;  ///< a vertex fits while the cursor is before it; null outside Begin/End
   Shape shape_ = Shape::kOther;

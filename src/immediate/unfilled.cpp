@@ -85,7 +85,7 @@ class Expander {
     center_ = half_size_ + glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1]));
 
     out_.layout = batch.layout;
-    out_.layout.fields &= static_cast<std::uint8_t>(~kFieldEdgeFlag);
+    out_.layout.fields &= static_cast<std::uint16_t>(~kFieldEdgeFlag);
     if (state.lighting_position) out_.layout.fields |= kFieldLightingPosition;
     if (offset) out_.layout.fields |= kFieldDepthOffset;
     out_.own_vertices = state.flat || offset;

@@ -7,7 +7,7 @@ namespace legacy_gl {
 
 /// What a recorded vertex holds beside its position, in this order. The position has three floats,
 /// or four where a w other than 1 was given.
-enum VertexField : std::uint8_t {
+enum VertexField : std::uint16_t {
   kFieldPositionW = 1,
   kFieldNormal = 2,          ///< 3 floats
   kFieldColor = 4,           ///< 4 floats
@@ -16,11 +16,14 @@ enum VertexField : std::uint8_t {
   kFieldLightingPosition = 32,  ///< as many floats as the position: where the vertex is lit
   kFieldDepthOffset = 64,       ///< 1 float: polygon offset in normalised device coordinates
   kFieldFogCoord = 128,         ///< 1 float
+  /// Objects with matrices of their own in one batch: the position is in clip coordinates (4
+  /// floats), normal and lighting position are in eye coordinates.
+  kFieldTransformed = 256,
 };
 
 struct VertexLayout {
-  std::uint8_t fields = 0;
-  MaterialMask materials = 0;  ///< properties changed inside Begin/End: 4 floats each, shininess 1
+  std::uint16_t fields = 0;
+  MaterialMask materials = 0;  ///< properties that the vertices carry: material_size floats each
   bool operator==(const VertexLayout&) const = default;
 };
 
@@ -30,17 +33,21 @@ struct VertexOffsets {
   unsigned normal = 0, color = 0, secondary_color = 0, fog_coord = 0, edge_flag = 0;
   unsigned lighting_position = 0, depth_offset = 0;
   unsigned materials[2 * kPropertyCount] = {};
+  unsigned materials_begin = 0, materials_end = 0;
   unsigned stride = 0;  ///< in floats
 };
 
-constexpr unsigned material_size(unsigned property) { return property == kShininess ? 1 : 4; }
+/// Of a colour only the diffuse alpha counts.
+constexpr unsigned material_size(unsigned property) {
+  return property == kShininess ? 1 : property == kDiffuse ? 4 : 3;
+}
 
 /// A stride is never larger.
 inline constexpr unsigned kMaxVertexFloats = 64;
 
 inline VertexOffsets offsets_of(const VertexLayout& layout) {
   VertexOffsets offsets;
-  offsets.position_size = layout.fields & kFieldPositionW ? 4 : 3;
+  offsets.position_size = layout.fields & (kFieldPositionW | kFieldTransformed) ? 4 : 3;
   unsigned at = offsets.position_size;
   const auto take = [&at](unsigned& offset, unsigned size) {
     offset = at;
@@ -50,8 +57,10 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
   if (layout.fields & kFieldColor) take(offsets.color, 4);
   if (layout.fields & kFieldSecondaryColor) take(offsets.secondary_color, 3);
   if (layout.fields & kFieldFogCoord) take(offsets.fog_coord, 1);
+  offsets.materials_begin = at;
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i)) take(offsets.materials[i], material_size(i % kPropertyCount));
+  offsets.materials_end = at;
   if (layout.fields & kFieldEdgeFlag) take(offsets.edge_flag, 1);
   if (layout.fields & kFieldLightingPosition)
     take(offsets.lighting_position, offsets.position_size);

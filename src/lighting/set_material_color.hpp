@@ -15,7 +15,11 @@ inline bool set_material_color(Context& context, GLenum face, GLenum pname, cons
   const unsigned property = pname == GL_EMISSION ? 3 : pname - GL_AMBIENT;
   if (property > 3 || (property == 3 && pname != GL_EMISSION)) return false;
   if (face != GL_FRONT && face != GL_BACK) return false;
-  if (context.lighting.color_material.enabled || !context.recorder.is_idle()) return false;
+  if (context.lighting.color_material.enabled) return false;
+  if (!context.recorder.is_idle()) {
+    if (!context.recorder.takes_materials(material_bit(face == GL_BACK, property))) return false;
+    context.recorder.material_changed();
+  }
   // A word at a time: programs write a colour that way just before, and a wider read would wait
   // until those stores have left the processor.
   glm::vec4& stored = context.lighting.materials[face == GL_BACK].*kColors[property];

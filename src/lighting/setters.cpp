@@ -135,6 +135,24 @@ MaterialMask tracked_materials(const Context& context) {
   return tracking.enabled ? material_mask(tracking.face, tracking.mode) : MaterialMask{0};
 }
 
+namespace {
+
+/// Small objects that differ in their material join one batch, which carries it with the vertices.
+bool carry_between_objects(Context& context, MaterialMask changes) {
+  Recorder& recorder = context.recorder;
+  const MaterialMask seen = context.lighting.model.two_side
+                                ? MaterialMask{kFrontMaterialMask | kBackMaterialMask}
+                                : kFrontMaterialMask;
+  const auto missing =
+      static_cast<MaterialMask>(changes & seen & ~unsigned{recorder.layout().materials});
+  if (missing && (!recorder.object_may_end() || is_unfilled(context.raster.polygon))) return false;
+  recorder.end_object();
+  recorder.carry_materials(context, missing);
+  return true;
+}
+
+}  // namespace
+
 void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
   if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK)
     return raise_error(context, GL_INVALID_ENUM);
@@ -160,7 +178,8 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
   // Inside Begin/End the change is the vertices' from here on; outside, a batch that carries the
   // property anyway need not end.
   if (context.recorder.inside_begin_end()) context.recorder.carry_materials(context, changes);
-  else if (changes & ~context.recorder.layout().materials) flush_pending(context);
+  else if (context.recorder.has_pending() && !carry_between_objects(context, changes))
+    flush_pending(context);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (changes & (1u << i))
       store_material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount,

@@ -117,7 +117,7 @@ std::string describe(const ProgramKey& key) {
   if (key.points) append(text, "points");
   if (key.angle_error) append(text, "angles corrected");
   if (key.back_only) append(text, "back faces");
-  if (key.lighting_position) append(text, "lit at the provoking vertex");
+  if (key.lighting_position) append(text, "lit at a position of its own");
   if (key.depth_offset) append(text, "depth offset");
   describe_fragments(text, key.fragments);
   static constexpr const char* kPixels[] = {"", "bitmap", "pixels", "depth pixels"};

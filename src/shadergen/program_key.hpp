@@ -79,8 +79,10 @@ struct ProgramKey {
   bool angle_error = false;  ///< object space under a modelview that keeps angles only nearly
   bool back_only =
       false;  ///< unfilled back faces: every primitive of the draw takes the back colour
-  bool lighting_position = false;  ///< flat and unfilled: lit where the provoking vertex is
-  bool depth_offset = false;       ///< unfilled with polygon offset
+  /// Lit at a position of its own: the provoking vertex's (flat and unfilled), or in eye
+  /// coordinates where positions come transformed.
+  bool lighting_position = false;
+  bool depth_offset = false;  ///< unfilled with polygon offset
   PixelSource pixels = PixelSource::kNone;
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;

@@ -96,6 +96,10 @@ inline void flush_pending(Context& context) {
   if (context.recorder.has_pending() || context.bitmaps_pending) draw_pending(context);
 }
 
+/// Before the modelview or the projection changes: what is recorded is drawn, or its vertices are
+/// transformed so that others can join them.
+void leave_matrices(Context& context);
+
 /// The order of every setter: what was recorded under the old value is drawn, then the value is
 /// stored and its dirty bits raised. Returns *changed*.
 template <typename T, typename U>

@@ -64,7 +64,7 @@ std::vector<Object> random_objects(std::size_t count) {
   };
   std::vector<Object> objects(count);
   for (Object& object : objects) {
-    object.place = {between(-1.1F, 1.1F), between(-1.1F, 1.1F), between(-1.1F, 1.1F)};
+    object.place = {between(-0.8F, 0.8F), between(-0.8F, 0.8F), between(-0.8F, 0.8F)};
     object.degrees = between(0, 360);
     for (Color& color : object.material)
       color = {between(0, 0.6F), between(0, 0.6F), between(0, 0.6F), 1};

@@ -342,12 +342,12 @@ TEST_P(ArraysMode, RendersListsAsMesa) {
 }
 
 TEST(ArraysRenders, ListsAreUploadedOnce) {
-  const std::vector<Vertex> vertices = spiral(90);
+  const std::vector<Vertex> vertices = spiral(900);  // small ones join batches instead
   ours().recreate();
   const GlFunctions& gl = ours().gl;
   point_at(gl, vertices);
   gl.NewList(1, GL_COMPILE);
-  gl.DrawArrays(GL_TRIANGLES, 0, 90);
+  gl.DrawArrays(GL_TRIANGLES, 0, 900);
   gl.EndList();
   gl.CallList(1);
   legacy_gl_flush();

@@ -12,13 +12,13 @@ namespace {
 
 void draw_grid(const GlFunctions& gl, GLenum mode) {
   const auto vertex = [&](int column, int row) {
-    const float u = static_cast<float>(column) / 8, v = static_cast<float>(row) / 8;
+    const float u = static_cast<float>(column) / 12, v = static_cast<float>(row) / 12;
     gl.Normal3f(std::sin(u), v - 0.5f, std::cos(u));
     gl.Vertex3f(2 * u - 1, 2 * v - 1, 0);
   };
   gl.Begin(mode);
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column) {
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 12; ++column) {
       vertex(column, row);
       vertex(column + 1, row);
       vertex(column + 1, row + 1);
@@ -52,8 +52,8 @@ TEST_F(Lists, VerticesThatAreAlikeAreKeptOnce) {
   gl.EndList();
   gl.CallList(1);
   const legacy_gl_statistics first = counted();
-  EXPECT_EQ(first.list_vertices_welded, 256u - 81u);
-  EXPECT_EQ(first.vertices, 81u);
+  EXPECT_EQ(first.list_vertices_welded, 576u - 169u);
+  EXPECT_EQ(first.vertices, 169u);
   EXPECT_EQ(first.draws, 1u);
   gl.CallList(1);
   EXPECT_EQ(counted().vertex_bytes_uploaded, 0u);

@@ -37,6 +37,7 @@ TEST(StreamBuffer, UniformBlocksThatDoNotChange) {
       gl.LoadIdentity();
       gl.Translatef(-1e-7F * static_cast<float>(i), 0, 0);  // far below a pixel
       gl.Rectf(-0.5F, -0.5F, 0.5F, 0.5F);
+      gl.Flush();  // or they would join in one draw
     }
   };
   const Image once = render(context, [&](const GlFunctions& gl) { draw(gl, 1); });
