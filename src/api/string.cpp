@@ -1,4 +1,5 @@
 // GL 2.1 spec 6.1.11: glGetString.
+#include "api/extensions.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
 
@@ -17,8 +18,9 @@ const char* find_string(Context& c, GLenum name) {
       }
       return c.renderer.c_str();
     case GL_VERSION: return "1.5 legacy_gl 0.1.0";
-    // Each name here is a promise that its entry points work.
-    case GL_EXTENSIONS: return "GL_WIN_phong_shading";
+    case GL_EXTENSIONS:
+      if (c.extensions.empty()) c.extensions = extension_names(c.backend->driver);
+      return c.extensions.c_str();
     default: return nullptr;
   }
 }

@@ -70,6 +70,7 @@ namespace legacy_gl {
   X(GetShaderInfoLog, GETSHADERINFOLOG)                                       \
   X(GetShaderiv, GETSHADERIV)                                                 \
   X(GetString, GETSTRING)                                                     \
+  X(GetStringi, GETSTRINGI)                                                   \
   X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX)                               \
   X(GetUniformLocation, GETUNIFORMLOCATION)                                   \
   X(Hint, HINT)                                                               \

@@ -65,7 +65,8 @@ struct legacy_gl_context {
 
   legacy_gl_statistics statistics{};
   std::unordered_set<std::string> diagnostics_given;
-  std::string renderer;  ///< what glGetString(GL_RENDERER) answers, once asked
+  std::string renderer;    ///< what glGetString(GL_RENDERER) answers, once asked
+  std::string extensions;  ///< the same of GL_EXTENSIONS
   std::unique_ptr<legacy_gl::Backend> backend;
   std::thread::id current_in{};  ///< the thread in which it is current; default: none
 };
