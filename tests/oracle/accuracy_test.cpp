@@ -48,9 +48,13 @@ RenderContext& mesa() {
   return context;
 }
 
-RenderContext& ours(legacy_gl_quality quality) {
+std::map<legacy_gl_quality, std::unique_ptr<CoreContext>>& our_contexts() {
   static std::map<legacy_gl_quality, std::unique_ptr<CoreContext>> contexts;
-  auto& context = contexts[quality];
+  return contexts;
+}
+
+RenderContext& ours(legacy_gl_quality quality) {
+  auto& context = our_contexts()[quality];
   if (!context) {
     legacy_gl_options options = {};
     options.quality = quality;
@@ -66,7 +70,11 @@ void report(const char* who, const LightingClass& lighting_class, const ErrorSta
               error.worst_batch, error.worst_vertex);
 }
 
-class Accuracy : public testing::TestWithParam<LightingClass> {};
+class Accuracy : public testing::TestWithParam<LightingClass> {
+ protected:
+  // Not at exit: softpipe's own state is gone by then.
+  static void TearDownTestSuite() { our_contexts().clear(); }
+};
 
 TEST_P(Accuracy, MesaAgreesWithTheOracle) {
   const ErrorStatistics error = measure(mesa(), GetParam());
