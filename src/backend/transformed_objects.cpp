@@ -184,7 +184,7 @@ bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   constexpr unsigned kCopied = kFieldNormal | kFieldColor | kFieldSecondaryColor;
   if (mesh.layout.fields & ~kCopied || mesh.layout.materials) return false;
-  if (mesh.triangles.empty() || !recorder.joins_objects()) return false;
+  if (mesh.triangles.empty() || !recorder.joins_objects(context)) return false;
   const std::uint32_t count = mesh.vertex_count();
   float* const vertices = recorder.append_vertices(context, count, false);
   const std::uint32_t base = recorder.vertex_count() - count;

@@ -85,16 +85,23 @@ void Recorder::start_batch(Context& context) {
   if (has_pending()) return;
   if (context.bitmaps_pending) draw_pending(context);
   VertexLayout layout = relevant_layout(context);
-  joining_ = skip_ == 0;
+  note_object(context);
+  joining_ = worth_trying();
   if (skip_) --skip_;
   if (joining_ && context.lighting.enabled) layout.materials = usual_materials_;
   set_layout(layout);
   cursor_ = storage_.get();
 }
 
-bool Recorder::joins_objects() {
-  const bool joins = has_pending() ? joining_ : skip_ == 0;
-  if (!joins && !has_pending()) --skip_;
+void Recorder::note_object(const Context& context) {
+  const bool alike = !(context.dirty & ~std::uint32_t{kDirtyTransform | kDirtyMaterial});
+  alike_ = alike ? std::min(alike_ + 1, kAlike) : 0;
+}
+
+bool Recorder::joins_objects(const Context& context) {
+  if (!has_pending()) note_object(context);
+  const bool joins = has_pending() ? joining_ : worth_trying();
+  if (skip_ && !has_pending()) --skip_;
   tried_joining_ = tried_joining_ || joins;
   return joins;
 }

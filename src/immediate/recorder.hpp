@@ -55,7 +55,7 @@ class Recorder {
   /// that was tried and nothing came of it.
   static constexpr std::uint32_t kSmallObject = 128;
   /// A new object may join the batch, or begin one that others join.
-  bool joins_objects();
+  bool joins_objects(const legacy_gl_context& context);
   /// The pending batch goes on after a change: its last object is small. Otherwise it is to be
   /// drawn.
   bool object_may_end() const { return joining_ && vertex_count() - object_first_ <= kSmallObject; }
@@ -121,13 +121,18 @@ class Recorder {
   void set_limit();
   void draw_part(legacy_gl_context& context);
 
+  /// An object begins: what changed since the last draw, if not matrices and materials alone?
+  void note_object(const legacy_gl_context& context);
+  bool worth_trying() const { return skip_ == 0 && alike_ >= kAlike; }
   float* put_materials(const legacy_gl_context& context, float* at);
 
   std::uint32_t object_first_ = 0;
   std::size_t object_run_ = 0;  ///< the object's first of runs_
   std::uint32_t objects_ = 0;   ///< that ended in this batch
   std::uint32_t first_untransformed_ = 0;
-  bool joining_ = true;
+  static constexpr std::uint32_t kAlike = 3;  ///< objects in a row before joining is tried
+  std::uint32_t alike_ = 0;  ///< objects that differ in matrices and materials alone
+  bool joining_ = false;
   bool tried_joining_ = false;
   std::uint32_t skip_ = 0;  ///< batches that are not to be tried
   std::uint32_t backoff_ = 0;

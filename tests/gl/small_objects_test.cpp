@@ -176,7 +176,7 @@ TEST(SmallObjects, OfAListTakeFewDraws) {
   draw(ours, nothing, draw_list, false, nothing);
   legacy_gl_statistics statistics;
   legacy_gl_get_statistics(&statistics);
-  EXPECT_LE(statistics.batches, 3u);
+  EXPECT_LE(statistics.batches, 5u);  // the first three are drawn alone
   EXPECT_LE(statistics.draws, 8u);
 }
 
