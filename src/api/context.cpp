@@ -48,7 +48,10 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   }
   context = std::make_unique<Context>(options);
   context->backend = std::make_unique<Backend>(driver, options.programs);
-  if (options.share) context->lists.names = options.share->lists.names;
+  if (options.share) {
+    context->lists.names = options.share->lists.names;
+    context->texture.names = options.share->texture.names;
+  }
   // Table 6.x: viewport and scissor box start as the size of the window, which the driver knows.
   driver.GetIntegerv(GL_VIEWPORT, context->raster.viewport.box.data());
   driver.GetIntegerv(GL_SCISSOR_BOX, context->raster.scissor.box.data());

@@ -28,6 +28,10 @@ void before_change(Context& c) {
   else leave_matrices(c);
 }
 
+std::uint32_t current_dirty_bit(const Context& c) {
+  return c.transform.matrix_mode == GL_TEXTURE ? kDirtyTexture : kDirtyTransform;
+}
+
 /// Outside Begin/End: what is recorded is drawn with the matrix it was recorded under; then the top
 /// may change.
 template <typename Change>
@@ -35,7 +39,7 @@ void change_top(Context& c, Change change) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   before_change(c);
   change(current_stack(c).top());
-  c.dirty |= kDirtyTransform;
+  c.dirty |= current_dirty_bit(c);
 }
 
 void matrix_mode(Context& c, GLenum mode) {
@@ -50,7 +54,7 @@ void apply(Context& c, const MatrixOperation& operation) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   before_change(c);
   current_stack(c).apply(operation);
-  c.dirty |= kDirtyTransform;
+  c.dirty |= current_dirty_bit(c);
 }
 
 void load_identity(Context& c) {
@@ -107,7 +111,7 @@ void pop_matrix(Context& c) {
   if (!stack.can_pop()) return raise_error(c, GL_STACK_UNDERFLOW);
   before_change(c);
   stack.pop();
-  c.dirty |= kDirtyTransform;
+  c.dirty |= current_dirty_bit(c);
 }
 
 }  // namespace

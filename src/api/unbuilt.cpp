@@ -6,96 +6,12 @@
 
 using legacy_gl::report_unbuilt;
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterf(GLenum, GLenum, GLfloat) {
-  report_unbuilt("glTexParameterf");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterfv(GLenum, GLenum, const GLfloat *) {
-  report_unbuilt("glTexParameterfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameteri(GLenum, GLenum, GLint) {
-  report_unbuilt("glTexParameteri");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameteriv(GLenum, GLenum, const GLint *) {
-  report_unbuilt("glTexParameteriv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage1D(GLenum, GLint, GLint, GLsizei, GLint, GLenum, GLenum, const void *) {
-  report_unbuilt("glTexImage1D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage2D(GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *) {
-  report_unbuilt("glTexImage2D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexImage(GLenum, GLint, GLenum, GLenum, void *) {
-  report_unbuilt("glGetTexImage");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexParameterfv(GLenum, GLenum, GLfloat *) {
-  report_unbuilt("glGetTexParameterfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexParameteriv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetTexParameteriv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexLevelParameterfv(GLenum, GLint, GLenum, GLfloat *) {
-  report_unbuilt("glGetTexLevelParameterfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexLevelParameteriv(GLenum, GLint, GLenum, GLint *) {
-  report_unbuilt("glGetTexLevelParameteriv");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineStipple(GLint, GLushort) {
   report_unbuilt("glLineStipple");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPolygonStipple(const GLubyte *) {
   report_unbuilt("glPolygonStipple");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnvf(GLenum, GLenum, GLfloat) {
-  report_unbuilt("glTexEnvf");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnvfv(GLenum, GLenum, const GLfloat *) {
-  report_unbuilt("glTexEnvfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnvi(GLenum, GLenum, GLint) {
-  report_unbuilt("glTexEnvi");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexEnviv(GLenum, GLenum, const GLint *) {
-  report_unbuilt("glTexEnviv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGend(GLenum, GLenum, GLdouble) {
-  report_unbuilt("glTexGend");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGendv(GLenum, GLenum, const GLdouble *) {
-  report_unbuilt("glTexGendv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGenf(GLenum, GLenum, GLfloat) {
-  report_unbuilt("glTexGenf");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGenfv(GLenum, GLenum, const GLfloat *) {
-  report_unbuilt("glTexGenfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGeni(GLenum, GLenum, GLint) {
-  report_unbuilt("glTexGeni");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGeniv(GLenum, GLenum, const GLint *) {
-  report_unbuilt("glTexGeniv");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFeedbackBuffer(GLsizei, GLenum, GLfloat *) {
@@ -277,88 +193,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPixelMapusv(GLenum, GLushort *) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPolygonStipple(GLubyte *) {
   report_unbuilt("glGetPolygonStipple");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexEnvfv(GLenum, GLenum, GLfloat *) {
-  report_unbuilt("glGetTexEnvfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexEnviv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetTexEnviv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGendv(GLenum, GLenum, GLdouble *) {
-  report_unbuilt("glGetTexGendv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGenfv(GLenum, GLenum, GLfloat *) {
-  report_unbuilt("glGetTexGenfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetTexGeniv(GLenum, GLenum, GLint *) {
-  report_unbuilt("glGetTexGeniv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
-  report_unbuilt("glCopyTexImage1D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexImage2D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint) {
-  report_unbuilt("glCopyTexImage2D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) {
-  report_unbuilt("glCopyTexSubImage1D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage2D(GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
-  report_unbuilt("glCopyTexSubImage2D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLenum, const void *) {
-  report_unbuilt("glTexSubImage1D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage2D(GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, const void *) {
-  report_unbuilt("glTexSubImage2D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglBindTexture(GLenum, GLuint) {
-  report_unbuilt("glBindTexture");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDeleteTextures(GLsizei, const GLuint *) {
-  report_unbuilt("glDeleteTextures");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGenTextures(GLsizei, GLuint *) {
-  report_unbuilt("glGenTextures");
-}
-
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglIsTexture(GLuint) {
-  report_unbuilt("glIsTexture");
-  return 0;
-}
-
-LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY lglAreTexturesResident(GLsizei, const GLuint *, GLboolean *) {
-  report_unbuilt("glAreTexturesResident");
-  return 0;
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPrioritizeTextures(GLsizei, const GLuint *, const GLfloat *) {
-  report_unbuilt("glPrioritizeTextures");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexImage3D(GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *) {
-  report_unbuilt("glTexImage3D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLenum, const void *) {
-  report_unbuilt("glTexSubImage3D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
-  report_unbuilt("glCopyTexSubImage3D");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void *) {

@@ -21,6 +21,7 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs)
     : driver(loaded),
       buffers_(driver),
       queries_(driver),
+      textures_(driver),
       programs_(driver, programs),
       vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes, StreamBuffer::Use::kOneDraw),
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes, StreamBuffer::Use::kOneDraw),
@@ -47,6 +48,7 @@ std::string Backend::program_source(Context& context) {
 void Backend::reset_driver_state() {
   bound_program_ = bound_array_ = 0;  // no name of ours
   raster_.forget();
+  textures_.forget_bindings();
   derived_.stale.fill(true);
 }
 
@@ -96,6 +98,10 @@ void Backend::upload_stale_blocks(Context& context) {
   if (derived_.stale[kClipPlanesBlock] && fragments.clip_planes)
     upload_block(context, kClipPlanesBlock, &derived_.clip_planes, sizeof derived_.clip_planes,
                  sizeof derived_.clip_planes);
+  if (derived_.key.textures.count && derived_.stale[kTexturesBlock])
+    upload_with_tail(context, kTexturesBlock, &derived_.textures, sizeof derived_.textures,
+                     derived_.texture_units.data(),
+                     derived_.texture_units.size() * sizeof(TextureUnitUniforms), 0);
   if (!derived_.key.lit) return;
   const bool general = general_program_;
   if (general && derived_.stale[kGeneralBlock])
@@ -124,6 +130,7 @@ void Backend::prepare(Context& context, const VertexLayout& layout) {
   derived_.update(context, layout, driver.dialect);
   upload_uniforms(context);
   apply_raster(context);
+  if (derived_.key.textures.count) textures_.bind(active_textures(context));
 }
 
 bool Backend::use_program(Context& context, bool points, std::uint64_t vertices) {

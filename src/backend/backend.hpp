@@ -12,6 +12,7 @@
 #include "backend/query_objects.hpp"
 #include "backend/raster.hpp"
 #include "backend/stream_buffer.hpp"
+#include "backend/textures.hpp"
 #include "backend/vertex_arrays.hpp"
 #include "immediate/unfilled.hpp"
 
@@ -52,6 +53,7 @@ class Backend {
 
   BufferObjects& buffers() { return buffers_; }
   QueryObjects& queries() { return queries_; }
+  Textures& textures() { return textures_; }
   void delete_buffer(GLuint name);
 
   /// Draws the enabled client arrays from the buffer objects that they lie in, without a copy.
@@ -98,6 +100,7 @@ class Backend {
 
   BufferObjects buffers_;
   QueryObjects queries_;
+  Textures textures_;
   ProgramCache programs_;
   StreamBuffer vertices_;
   StreamBuffer indices_;

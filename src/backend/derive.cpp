@@ -193,6 +193,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
   const bool before_only = directions_only_;
   if (dirty & kDirtyKey || layout_changed) {
     key = ProgramKey{};
+    key.textures = before.textures;
     key.lit = context.lighting.enabled;
     key.flat = context.lighting.shade_model == GL_FLAT;
     key.lighting_position = transformed && layout.fields & kFieldLightingPosition;
@@ -216,7 +217,12 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
                              before.quality != key.quality || before_only != directions_only_;
   if (dirty & kDirtyTransform || space_changed) fill_transform(context);
   if (dirty & (kDirtyTransform | kDirtyFragments | kDirtyKey)) fill_fragments(context);
-  if (!key.lit) return;
+  if (key.lit) fill_lighting(context, dirty, before, length_before, before_only);
+  update_textures(context, dirty, layout_changed);
+}
+
+void Derived::fill_lighting(const Context& context, std::uint32_t dirty, const ProgramKey& before,
+                            double length_before, bool before_only) {
   const bool lights_changed = !(before == key) || before_only != directions_only_;
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
   if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
@@ -328,6 +334,7 @@ void Derived::choose_materials(const Context& context, const VertexLayout& layou
       if (layout.materials & bit) source = MaterialSource::kVertex;
       if (tracked & bit) source = MaterialSource::kColor;
       key.material[face][property] = source;
+      if (source == MaterialSource::kVertex) key.vertex_materials = layout.materials;
     }
 }
 

@@ -28,6 +28,9 @@ struct ActiveLight {
 /// it.
 glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear);
 
+/// One of the filters mixes neighbouring texels.
+bool filters_linearly(const TextureParameters& parameters);
+
 class Derived {
  public:
   /// Brings key and values up to date with the state, as far as the dirty bits (which it clears,
@@ -44,6 +47,8 @@ class Derived {
   GeneralUniforms general;
   FragmentUniforms fragments;
   ClipPlaneUniforms clip_planes;
+  TexturesUniforms textures;
+  std::vector<TextureUnitUniforms> texture_units;
   std::array<bool, kUniformBlockCount> stale = all_stale();
 
  private:
@@ -59,6 +64,11 @@ class Derived {
   void choose_space(const Context& context, const VertexLayout& layout);
   void choose_materials(const Context& context, const VertexLayout& layout);
   void choose_lights(Context& context);
+  void fill_lighting(const Context& context, std::uint32_t dirty, const ProgramKey& before,
+                     double length_before, bool before_only);
+  void update_textures(Context& context, std::uint32_t dirty, bool layout_changed);
+  void choose_textures(Context& context);
+  void fill_textures(Context& context);
   void fill_transform(const Context& context);
   void fill_lights(const Context& context);
   void fill_faces(const Context& context);

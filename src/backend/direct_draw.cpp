@@ -11,27 +11,34 @@ namespace legacy_gl {
 
 namespace {
 
-/// A field that the state may make relevant, the array that it comes from, and where the programs
-/// expect it.
+/// An array that the state may make relevant, and where the programs expect it.
 struct Source {
-  std::uint16_t field;  ///< 0: always
-  ArrayIndex array;
-  AttributeLocation location;
-};
-constexpr Source kSources[] = {
-    {0, kVertexArray, kLocationPosition},
-    {kFieldNormal, kNormalArray, kLocationNormal},
-    {kFieldColor, kColorArray, kLocationColor},
-    {kFieldSecondaryColor, kSecondaryColorArray, kLocationSecondaryColor},
-    {kFieldFogCoord, kFogCoordArray, kLocationFogCoord},
+  unsigned array;
+  unsigned location;
 };
 
-glm::vec4 current_value(const Context& context, ArrayIndex array) {
+/// The arrays that `layout` asks for, the positions first.
+template <typename Visit>
+void for_each_source(const VertexLayout& layout, Visit visit) {
+  visit(Source{kVertexArray, kLocationPosition});
+  if (layout.fields & kFieldNormal) visit(Source{kNormalArray, kLocationNormal});
+  if (layout.fields & kFieldColor) visit(Source{kColorArray, kLocationColor});
+  if (layout.fields & kFieldSecondaryColor)
+    visit(Source{kSecondaryColorArray, kLocationSecondaryColor});
+  if (layout.fields & kFieldFogCoord) visit(Source{kFogCoordArray, kLocationFogCoord});
+  if (layout.texcoords)
+    for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+      if (layout.texcoords & 1u << unit)
+        visit(Source{kTexCoordArray + unit, texcoord_location(unit)});
+}
+
+glm::vec4 current_value(const Context& context, unsigned array) {
   switch (array) {
     case kNormalArray: return glm::vec4(context.current.normal, 0);
     case kSecondaryColorArray: return context.current.secondary_color;
     case kFogCoordArray: return glm::vec4(context.current.fog_coordinate, 0, 0, 1);
-    default: return context.current.color;
+    case kColorArray: return context.current.color;
+    default: return context.current.texture_coordinates[array - kTexCoordArray];
   }
 }
 
@@ -53,21 +60,24 @@ bool driver_fetches(const Driver& driver, unsigned array, GLenum type) {
 std::optional<BufferAttributes> find_attributes(Context& context, const VertexLayout& layout,
                                                 const ArrayDraw& draw) {
   BufferAttributes found;
-  for (const Source& source : kSources) {
-    if (source.field && !(layout.fields & source.field)) continue;
+  bool drawable = true;
+  for_each_source(layout, [&](const Source& source) {
     const ClientArray& array = context.arrays.arrays[source.array];
-    if (!array.enabled) continue;
-    BufferObject* const buffer = context.backend->buffers().find(array.buffer);
-    if (!buffer || !driver_fetches(context.backend->driver, source.array, array.type)) return {};
+    if (!array.enabled || !drawable) return;
+    const BufferObject* const buffer = context.backend->buffers().find(array.buffer);
+    drawable = buffer && driver_fetches(context.backend->driver, source.array, array.type);
+    if (!drawable) return;
     const ArrayView view = make_view(array, nullptr);
     const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
     const std::uint64_t end = offset + (std::uint64_t{draw.first} + draw.count - 1) * view.stride +
                               std::uint64_t{view.size} * type_size(view.type);
     // What a draw reads past the end is the driver's business, and not every driver's is harmless.
-    if (!draw.is_indexed() && end > static_cast<std::uint64_t>(buffer->size)) return {};
+    drawable = draw.is_indexed() || end <= static_cast<std::uint64_t>(buffer->size);
+    if (!drawable) return;
     found.add({source.location, buffer->driver_name, array.size, array.type, array.stride,
                is_normalised(source.array), array.pointer});
-  }
+  });
+  if (!drawable) return {};
   return found;
 }
 
@@ -82,11 +92,11 @@ void Backend::delete_buffer(GLuint name) {
 }
 
 void Backend::set_constant_attributes(const Context& context, const VertexLayout& layout) {
-  for (const Source& source : kSources) {
-    if (!(layout.fields & source.field) || context.arrays.arrays[source.array].enabled) continue;
+  for_each_source(layout, [&](const Source& source) {
+    if (source.array == kVertexArray || context.arrays.arrays[source.array].enabled) return;
     const glm::vec4 value = current_value(context, source.array);
     driver.VertexAttrib4fv(source.location, &value[0]);
-  }
+  });
 }
 
 const void* Backend::write_indices(Context& context, const void* indices, std::size_t size) {
@@ -100,6 +110,13 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
   if (is_unfilled(context.raster.polygon)) return false;  // the primitives themselves are needed
   VertexLayout layout = Recorder::relevant_layout(context);
   if (positions.size == 4) layout.fields |= kFieldPositionW;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {
+    const ClientArray& array = context.arrays.arrays[kTexCoordArray + unit];
+    if (!(layout.texcoords & 1u << unit) || !array.enabled) continue;
+    const auto bit = static_cast<std::uint8_t>(1u << unit);
+    layout.wide_texcoords &= static_cast<std::uint8_t>(~bit);
+    if (array.size > 2) layout.wide_texcoords |= bit;
+  }
   std::optional<BufferAttributes> attributes = find_attributes(context, layout, draw);
   if (!attributes) return false;
 

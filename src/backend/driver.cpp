@@ -65,6 +65,8 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   optional(driver.LogicOp, "glLogicOp", !es);
   optional(driver.MultiDrawArrays, "glMultiDrawArrays", !es);
   optional(driver.GetBufferSubData, "glGetBufferSubData", !es);
+  optional(driver.GetTexImage, "glGetTexImage", !es);
+  optional(driver.GetTexLevelParameteriv, "glGetTexLevelParameteriv", !es);
   optional(driver.PointSize, "glPointSize", !es);
   optional(driver.PolygonMode, "glPolygonMode", !es);
   return DriverStatus::kOk;

@@ -18,6 +18,8 @@ namespace legacy_gl {
   X(BindBuffer, BINDBUFFER)                                                   \
   X(BindBufferBase, BINDBUFFERBASE)                                           \
   X(BindBufferRange, BINDBUFFERRANGE)                                         \
+  X(BindFramebuffer, BINDFRAMEBUFFER)                                         \
+  X(BindSampler, BINDSAMPLER)                                                 \
   X(BindTexture, BINDTEXTURE)                                                 \
   X(BindVertexArray, BINDVERTEXARRAY)                                         \
   X(BlendColor, BLENDCOLOR)                                                   \
@@ -31,10 +33,15 @@ namespace legacy_gl {
   X(ClientWaitSync, CLIENTWAITSYNC)                                           \
   X(ColorMask, COLORMASK)                                                     \
   X(CompileShader, COMPILESHADER)                                             \
+  X(CompressedTexImage2D, COMPRESSEDTEXIMAGE2D)                               \
+  X(CompressedTexSubImage2D, COMPRESSEDTEXSUBIMAGE2D)                         \
+  X(CopyTexSubImage2D, COPYTEXSUBIMAGE2D)                                     \
+  X(CopyTexSubImage3D, COPYTEXSUBIMAGE3D)                                     \
   X(CreateProgram, CREATEPROGRAM)                                             \
   X(CreateShader, CREATESHADER)                                               \
   X(CullFace, CULLFACE)                                                       \
   X(DeleteBuffers, DELETEBUFFERS)                                             \
+  X(DeleteFramebuffers, DELETEFRAMEBUFFERS)                                   \
   X(DeleteProgram, DELETEPROGRAM)                                             \
   X(DeleteQueries, DELETEQUERIES)                                             \
   X(DeleteShader, DELETESHADER)                                               \
@@ -54,11 +61,15 @@ namespace legacy_gl {
   X(FenceSync, FENCESYNC)                                                     \
   X(Finish, FINISH)                                                           \
   X(Flush, FLUSH)                                                             \
+  X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D)                               \
+  X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER)                         \
   X(FrontFace, FRONTFACE)                                                     \
   X(GenBuffers, GENBUFFERS)                                                   \
+  X(GenFramebuffers, GENFRAMEBUFFERS)                                         \
   X(GenQueries, GENQUERIES)                                                   \
   X(GenTextures, GENTEXTURES)                                                 \
   X(GenVertexArrays, GENVERTEXARRAYS)                                         \
+  X(GenerateMipmap, GENERATEMIPMAP)                                           \
   X(GetError, GETERROR)                                                       \
   X(GetFloatv, GETFLOATV)                                                     \
   X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV) \
@@ -89,8 +100,12 @@ namespace legacy_gl {
   X(StencilMask, STENCILMASK)                                                 \
   X(StencilOp, STENCILOP)                                                     \
   X(TexImage2D, TEXIMAGE2D)                                                   \
+  X(TexImage3D, TEXIMAGE3D)                                                   \
+  X(TexParameterf, TEXPARAMETERF)                                             \
+  X(TexParameterfv, TEXPARAMETERFV)                                           \
   X(TexParameteri, TEXPARAMETERI)                                             \
   X(TexSubImage2D, TEXSUBIMAGE2D)                                             \
+  X(TexSubImage3D, TEXSUBIMAGE3D)                                             \
   X(Uniform1i, UNIFORM1I)                                                     \
   X(UniformBlockBinding, UNIFORMBLOCKBINDING)                                 \
   X(UnmapBuffer, UNMAPBUFFER)                                                 \
@@ -108,9 +123,11 @@ namespace legacy_gl {
   X(DrawBuffer, DRAWBUFFER)                         \
   X(DrawBuffers, DRAWBUFFERS)                       \
   X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX) \
+  X(GetBufferSubData, GETBUFFERSUBDATA)             \
+  X(GetTexImage, GETTEXIMAGE)                       \
+  X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
   X(LogicOp, LOGICOP)                               \
   X(MultiDrawArrays, MULTIDRAWARRAYS)               \
-  X(GetBufferSubData, GETBUFFERSUBDATA)             \
   X(PointSize, POINTSIZE)                           \
   X(PolygonMode, POLYGONMODE)
 

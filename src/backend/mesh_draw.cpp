@@ -27,7 +27,10 @@ void draw_kept_mesh(Context& context, const ListMesh& mesh) {
 }
 
 void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
-  const VertexLayout wanted = Recorder::relevant_layout(context);
+  VertexLayout wanted = Recorder::relevant_layout(context);
+  const unsigned kept = wanted.texcoords & mesh.layout.texcoords;
+  wanted.wide_texcoords = static_cast<std::uint8_t>((wanted.wide_texcoords & ~kept) |
+                                                    (mesh.layout.wide_texcoords & kept));
   derived_.update(context, wanted, driver.dialect);
   if (is_outside(mesh, derived_.transform.modelview_projection)) {
     ++context.statistics.primitives_clipped;
@@ -57,6 +60,9 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
     const glm::vec4 coordinate(current.fog_coordinate, 0, 0, 1);
     driver.VertexAttrib4fv(kLocationFogCoord, &coordinate[0]);
   }
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    if (wanted.texcoords & ~kept & 1u << unit)
+      driver.VertexAttrib4fv(texcoord_location(unit), &current.texture_coordinates[unit][0]);
 
   for (const ListMesh::Draw& draw : mesh.draws) {
     if (!use_program(context, draw.mode == GL_POINTS, mesh.vertex_count())) continue;

@@ -84,6 +84,19 @@ GLuint ProgramCache::compile(GLenum stage, const std::string& text) {
   return 0;
 }
 
+/// Sampler texture<n> reads unit n.
+void ProgramCache::set_samplers(GLuint program, unsigned count) {
+  GLint in_use = 0;
+  driver_.GetIntegerv(GL_CURRENT_PROGRAM, &in_use);
+  driver_.UseProgram(program);
+  for (unsigned unit = 0; unit < count; ++unit) {
+    const std::string name = "texture" + std::to_string(unit);
+    const GLint location = driver_.GetUniformLocation(program, name.c_str());
+    if (location >= 0) driver_.Uniform1i(location, static_cast<GLint>(unit));
+  }
+  driver_.UseProgram(static_cast<GLuint>(in_use));
+}
+
 GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statistics) {
   const ProgramSource source = generate(key, driver_.dialect);
   ++statistics.programs_generated;
@@ -111,6 +124,7 @@ GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statisti
     if (index != GL_INVALID_INDEX) driver_.UniformBlockBinding(program, index, block);
   }
   if (key.pixels != PixelSource::kNone) set_sampler(program, "pixel_texture", kPixelTextureUnit);
+  if (key.textures.count) set_samplers(program, key.textures.count);
   return program;
 }
 

@@ -43,6 +43,7 @@ class ProgramCache {
   bool worth_it(const ProgramKey& key, std::uint64_t vertices, Entry& entry);
   GLuint build(const ProgramKey& key, legacy_gl_statistics& statistics);
   void set_sampler(GLuint program, const char* name, unsigned unit);
+  void set_samplers(GLuint program, unsigned count);
   GLuint compile(GLenum stage, const std::string& text);
 
   const Driver& driver_;

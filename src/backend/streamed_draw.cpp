@@ -73,6 +73,8 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
   VertexLayout layout = Recorder::relevant_layout(context);
   if (has_other_w(positions, range->lowest, range->highest - range->lowest + 1))
     layout.fields |= kFieldPositionW;
+  layout.wide_texcoords |=
+      static_cast<std::uint8_t>(wide_texcoord_arrays(readable.views()) & layout.texcoords);
   prepare(context, layout);
   if (!use_program(context, draw.mode == GL_POINTS, draw.count)) return true;
   const std::optional<std::uint32_t> base =

@@ -22,6 +22,7 @@ bool reads_nothing_else(const ProgramKey& key) {
   rest.space = {};
   rest.normal = {};
   rest.material = {};
+  rest.vertex_materials = 0;
   rest.integer_shininess = {};
   rest.lights = {};
   return rest == ProgramKey{};
@@ -183,7 +184,7 @@ bool Backend::transform_recorded(Context& context) {
 bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   constexpr unsigned kCopied = kFieldNormal | kFieldColor | kFieldSecondaryColor;
-  if (mesh.layout.fields & ~kCopied || mesh.layout.materials) return false;
+  if (mesh.layout.fields & ~kCopied || mesh.layout.materials || mesh.layout.texcoords) return false;
   if (mesh.triangles.empty() || !recorder.joins_objects(context)) return false;
   const std::uint32_t count = mesh.vertex_count();
   float* const vertices = recorder.append_vertices(context, count, false);

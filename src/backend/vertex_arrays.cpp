@@ -10,8 +10,9 @@ VertexArrays::~VertexArrays() {
 
 GLuint VertexArrays::find_or_build(const VertexLayout& layout, GLuint vertex_buffer,
                                    GLuint index_buffer) {
-  const Key key{static_cast<unsigned>(layout.fields) << 16 | layout.materials, vertex_buffer,
-                index_buffer};
+  const Key key{std::uint64_t{layout.fields} << 48 | std::uint64_t{layout.texcoords} << 40 |
+                    std::uint64_t{layout.wide_texcoords} << 32 | layout.materials,
+                vertex_buffer, index_buffer};
   if (const auto at = arrays_.find(key); at != arrays_.end()) return at->second;
   const GLuint array = build_vertex_array(driver_, layout, vertex_buffer, index_buffer);
   arrays_.emplace(key, array);
@@ -40,7 +41,11 @@ GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLui
   if (layout.fields & kFieldFogCoord) attribute(kLocationFogCoord, 1, offsets.fog_coord);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i))
-      attribute(kLocationMaterial + i, material_size(i % kPropertyCount), offsets.materials[i]);
+      attribute(material_location(layout.materials, i), material_size(i % kPropertyCount),
+                offsets.materials[i]);
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    if (layout.texcoords & 1u << unit && has_texcoord_location(layout.materials, unit))
+      attribute(texcoord_location(unit), texcoord_size(layout, unit), offsets.texcoords[unit]);
   if (layout.fields & kFieldLightingPosition)
     attribute(kLocationLightingPosition, offsets.position_size, offsets.lighting_position);
   if (layout.fields & kFieldDepthOffset) attribute(kLocationDepthOffset, 1, offsets.depth_offset);

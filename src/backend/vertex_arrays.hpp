@@ -25,7 +25,7 @@ class VertexArrays {
 
  private:
   struct Key {
-    unsigned layout;
+    std::uint64_t layout;
     GLuint vertex_buffer, index_buffer;
     auto operator<=>(const Key&) const = default;
   };

@@ -30,6 +30,12 @@ unsigned texture_unit(const void* payload) {
       *static_cast<const std::tuple<unsigned, float, float, float, float>*>(payload));
 }
 
+Values coordinates(const void* payload) {
+  const auto& [unit, s, t, r, q] =
+      *static_cast<const std::tuple<unsigned, float, float, float, float>*>(payload);
+  return {s, t, r, q};
+}
+
 Values three(const void* payload) {
   const auto& [x, y, z] = *static_cast<const std::tuple<float, float, float>*>(payload);
   return {x, y, z, 1};
@@ -66,6 +72,16 @@ std::vector<std::size_t> last_of_each_attribute(const DisplayList& list, std::si
   return last;
 }
 
+unsigned attribute_size(const VertexLayout& layout, unsigned attribute) {
+  static constexpr unsigned kSizes[] = {3, 4, 3, 1};
+  constexpr unsigned kTexcoords = std::size(kSizes);
+  return attribute < kTexcoords ? kSizes[attribute]
+                                : texcoord_size(layout, attribute - kTexcoords);
+}
+
+/// Two floats do not say all of it.
+bool is_wide(const Values& coordinates) { return coordinates[2] != 0 || coordinates[3] != 1; }
+
 bool keeps_own_order(GLenum mode) { return mode != GL_TRIANGLES && draws_without_indices(mode); }
 
 }  // namespace
@@ -82,6 +98,8 @@ void ListWelder::read_between(const DisplayList& list, std::size_t end, std::siz
     else if (command.play == kColor4) known_[kColor] = four(command.payload);
     else if (command.play == kSecondary3) known_[kSecondaryColor] = three(command.payload);
     else if (command.play == kFogCoordinate) known_[kFogCoord] = one(command.payload);
+    else if (command.play == kTexcoord4)
+      known_[kTexcoord + texture_unit(command.payload)] = coordinates(command.payload);
     else {
       // Another list, an attribute group or an array may change current values; anything may change
       // the state.
@@ -93,20 +111,45 @@ void ListWelder::read_between(const DisplayList& list, std::size_t end, std::siz
   begin = end;
 }
 
+bool ListWelder::has(const VertexLayout& layout, unsigned attribute) {
+  switch (attribute) {
+    case kNormal: return layout.fields & kFieldNormal;
+    case kColor: return layout.fields & kFieldColor;
+    case kSecondaryColor: return layout.fields & kFieldSecondaryColor;
+    case kFogCoord: return layout.fields & kFieldFogCoord;
+    default: return layout.texcoords & 1u << (attribute - kTexcoord);
+  }
+}
+
+/// The attributes whose values the first vertex finds known.
+void ListWelder::take_known(VertexLayout& layout) const {
+  if (known_[kNormal]) layout.fields |= kFieldNormal;
+  if (known_[kColor]) layout.fields |= kFieldColor;
+  if (known_[kSecondaryColor]) layout.fields |= kFieldSecondaryColor;
+  if (known_[kFogCoord]) layout.fields |= kFieldFogCoord;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {
+    const Known& known = known_[kTexcoord + unit];
+    if (!known) continue;
+    layout.texcoords |= static_cast<std::uint8_t>(1u << unit);
+    if (is_wide(*known)) layout.wide_texcoords |= static_cast<std::uint8_t>(1u << unit);
+  }
+}
+
 bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Primitive& primitive) {
   DisplayList::Command command = list.at(begin);
   primitive.mode = std::get<0>(*static_cast<const std::tuple<GLenum>*>(command.payload));
   if (primitive.mode > GL_POLYGON) return false;
-  static constexpr std::uint16_t kFields[] = {kFieldNormal, kFieldColor, kFieldSecondaryColor,
-                                              kFieldFogCoord};
-  static constexpr unsigned kSizes[] = {3, 4, 3, 1};
   bool has_vertices = false;
   for (std::size_t at = command.next; at < list.size(); at = command.next) {
     command = list.at(at);
     if (command.play == kEnd) return true;
-    const auto set = [&](Attribute attribute, const Values& values) {
+    const auto set = [&](unsigned attribute, const Values& values) {
       // A value that the vertices before it do not share, and the call alone will know.
-      if (has_vertices && !(primitive.fields & kFields[attribute])) return false;
+      if (has_vertices && !has(primitive.layout, attribute)) return false;
+      if (attribute >= kTexcoord && is_wide(values)) {
+        const auto unit = static_cast<std::uint8_t>(1u << (attribute - kTexcoord));
+        if (has_vertices && !(primitive.layout.wide_texcoords & unit)) return false;
+      }
       known_[attribute] = values;
       return true;
     };
@@ -114,15 +157,14 @@ bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Prim
       const Values position =
           command.play == kVertex3 ? three(command.payload) : four(command.payload);
       if (position[3] != 1) return false;
-      if (!has_vertices)
-        for (unsigned i = 0; i < kAttributeKinds; ++i)
-          if (known_[i]) primitive.fields |= kFields[i];
+      if (!has_vertices) take_known(primitive.layout);
       has_vertices = true;
       std::vector<float>& out = primitive.vertices;
       out.insert(out.end(), position.begin(), position.begin() + 3);
       for (unsigned i = 0; i < kAttributeKinds; ++i)
-        if (primitive.fields & kFields[i])
-          out.insert(out.end(), known_[i]->begin(), known_[i]->begin() + kSizes[i]);
+        if (has(primitive.layout, i))
+          out.insert(out.end(), known_[i]->begin(),
+                     known_[i]->begin() + attribute_size(primitive.layout, i));
     } else if (command.play == kNormal3) {
       if (!set(kNormal, three(command.payload))) return false;
     } else if (command.play == kColor4) {
@@ -131,7 +173,10 @@ bool ListWelder::read_primitive(const DisplayList& list, std::size_t begin, Prim
       if (!set(kSecondaryColor, three(command.payload))) return false;
     } else if (command.play == kFogCoordinate) {
       if (!set(kFogCoord, one(command.payload))) return false;
-    } else if (command.play != kTexcoord4) {
+    } else if (command.play == kTexcoord4) {
+      if (!set(kTexcoord + texture_unit(command.payload), coordinates(command.payload)))
+        return false;
+    } else {
       return false;
     }
   }
@@ -197,12 +242,12 @@ void ListWelder::weld_last_primitive(DisplayList& list) {
     scanned_ = end;
     return;
   }
-  const bool joins = open_mesh_ && open_mesh_->layout.fields == primitive.fields;
+  const bool joins = open_mesh_ && open_mesh_->layout == primitive.layout;
   const std::size_t replaced = joins ? behind_mesh_ : begin;
   const std::vector<std::size_t> last = last_of_each_attribute(list, replaced, end);
   if (!joins) {
     open_mesh_ = std::make_shared<ListMesh>();
-    open_mesh_->layout.fields = primitive.fields;
+    open_mesh_->layout = primitive.layout;
     places_.clear();
     list.append_mesh(open_mesh_);
     behind_mesh_ = replaced + (list.size() - end);

@@ -23,14 +23,17 @@ class ListWelder {
  private:
   /// One attribute whose value the list itself has set.
   using Known = std::optional<std::array<float, 4>>;
-  enum Attribute { kNormal, kColor, kSecondaryColor, kFogCoord, kAttributeKinds };
+  enum Attribute : unsigned { kNormal, kColor, kSecondaryColor, kFogCoord, kTexcoord };  // and each unit
+  static constexpr unsigned kAttributeKinds = kTexcoord + kMaxTextureUnits;
 
   struct Primitive {
     GLenum mode = 0;
-    std::uint16_t fields = 0;
+    VertexLayout layout;
     std::vector<float> vertices;
   };
 
+  static bool has(const VertexLayout& layout, unsigned attribute);
+  void take_known(VertexLayout& layout) const;
   bool read_primitive(const DisplayList& list, std::size_t begin, Primitive& primitive);
   void read_between(const DisplayList& list, std::size_t end, std::size_t& begin);
   void append(ListMesh& mesh, const Primitive& primitive);

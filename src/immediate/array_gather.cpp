@@ -18,6 +18,10 @@ ArrayGather::ArrayGather(const legacy_gl_context& context, const ArrayViews& vie
   if (layout.fields & kFieldSecondaryColor)
     add(views, kSecondaryColorArray, offsets.secondary_color, 3);
   if (layout.fields & kFieldFogCoord) add(views, kFogCoordArray, offsets.fog_coord, 1);
+  if (layout.texcoords)
+    for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+      if (layout.texcoords & 1u << unit)
+        add(views, kTexCoordArray + unit, offsets.texcoords[unit], texcoord_size(layout, unit));
   if (layout.fields & kFieldEdgeFlag) add(views, kEdgeFlagArray, offsets.edge_flag, 1);
   interleave_ = find_interleave();
 }
@@ -46,9 +50,13 @@ ArrayGather::Interleave ArrayGather::find_interleave() const {
   }
   switch (sizes) {
     case 3: return &interleave<3>;
+    case 32: return &interleave<3, 2>;
     case 33: return &interleave<3, 3>;
     case 34: return &interleave<3, 4>;
+    case 332: return &interleave<3, 3, 2>;
     case 334: return &interleave<3, 3, 4>;
+    case 342: return &interleave<3, 4, 2>;
+    case 3342: return &interleave<3, 3, 4, 2>;
     default: return nullptr;
   }
 }
@@ -83,6 +91,14 @@ float* ArrayGather::operator()(std::uint32_t first, std::uint32_t count, float* 
     to += block * stride_;
   }
   return to;
+}
+
+std::uint8_t wide_texcoord_arrays(const ArrayViews& views) {
+  unsigned units = 0;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    if (const ArrayView& view = views[kTexCoordArray + unit]; view.data && view.size > 2)
+      units |= 1u << unit;
+  return static_cast<std::uint8_t>(units);
 }
 
 bool has_other_w(const ArrayView& positions, std::uint32_t first, std::uint32_t count) {

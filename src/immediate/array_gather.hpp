@@ -51,6 +51,9 @@ class ArrayGather {
   Interleave interleave_ = nullptr;  ///< for arrays that hold just the floats of the layout
 };
 
+/// Texture units whose array gives r or q.
+std::uint8_t wide_texcoord_arrays(const ArrayViews& views);
+
 /// Positions of four components whose w is 1 throughout need no w.
 bool has_other_w(const ArrayView& positions, std::uint32_t first, std::uint32_t count);
 

@@ -95,9 +95,12 @@ std::optional<VertexLayout> mesh_layout(const ArrayViews& views, const ElementRa
       case kColorArray: layout.fields |= kFieldColor; break;
       case kSecondaryColorArray: layout.fields |= kFieldSecondaryColor; break;
       case kFogCoordArray: layout.fields |= kFieldFogCoord; break;
-      default: return {};
+      default:
+        if (i < kTexCoordArray) return {};
+        layout.texcoords |= static_cast<std::uint8_t>(1u << (i - kTexCoordArray));
     }
   }
+  layout.wide_texcoords = wide_texcoord_arrays(views);
   return layout;
 }
 

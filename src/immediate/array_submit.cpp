@@ -56,7 +56,8 @@ void submit_arrays(Context& context, const ArrayViews& views, GLenum mode, std::
   count = whole_primitives(mode, std::min(count, positions.readable - first));
   if (count == 0) return;
   float* const vertices =
-      context.recorder.append_vertices(context, count, has_other_w(positions, first, count));
+      context.recorder.append_vertices(
+      context, count, has_other_w(positions, first, count), wide_texcoord_arrays(views));
   ArrayGather(context, views, context.recorder.layout())(first, count, vertices);
   context.recorder.append_run(context, mode, count);
   context.recorder.flush_if_large(context);
@@ -69,7 +70,8 @@ void submit_elements(Context& context, const ArrayViews& views, GLenum mode, Ele
   Recorder& recorder = context.recorder;
   const ElementRange range = element_range(elements);
   if (!worth_indexing(range, elements.count) || range.highest >= positions.readable) {
-    float* vertices = recorder.append_vertices(context, elements.count, positions.size == 4);
+    float* vertices = recorder.append_vertices(context, elements.count, positions.size == 4,
+                                               wide_texcoord_arrays(views));
     const ArrayGather gather(context, views, recorder.layout());
     with_elements(elements, [&](std::uint32_t, std::uint32_t element) {
       vertices = gather(element, 1, vertices);
@@ -78,7 +80,8 @@ void submit_elements(Context& context, const ArrayViews& views, GLenum mode, Ele
   } else {
     const std::uint32_t vertex_count = range.highest - range.lowest + 1;
     float* const vertices = recorder.append_vertices(
-        context, vertex_count, has_other_w(positions, range.lowest, vertex_count));
+        context, vertex_count, has_other_w(positions, range.lowest, vertex_count),
+        wide_texcoord_arrays(views));
     ArrayGather(context, views, recorder.layout())(range.lowest, vertex_count, vertices);
     const std::uint32_t offset = recorder.vertex_count() - vertex_count - range.lowest;
     std::uint32_t* const indices = recorder.append_elements(context, mode, elements.count);

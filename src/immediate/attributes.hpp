@@ -19,6 +19,8 @@ inline void secondary_color3(Context& c, float r, float g, float b) {
   c.current.secondary_color = {r, g, b, 1};
 }
 inline void texcoord4(Context& c, unsigned unit, float s, float t, float r, float q) {
+  if (r != 0 || q != 1) [[unlikely]]
+    c.recorder.carry_wide_texcoords(c, unit);
   c.current.texture_coordinates[unit] = {s, t, r, q};
 }
 inline void fog_coord(Context& c, float coordinate) { c.current.fog_coordinate = coordinate; }
@@ -45,6 +47,8 @@ inline void texcoord3(unsigned unit, float s, float t, float r) { texcoord4(unit
 inline void texcoord2(unsigned unit, float s, float t) { texcoord4(unit, s, t, 0, 1); }
 inline void texcoord1(unsigned unit, float s) { texcoord4(unit, s, 0, 0, 1); }
 inline void multi_texcoord4(GLenum target, float s, float t, float r, float q) {
+  if (const GLenum unit = target - GL_TEXTURE0; unit < kMaxTextureUnits)
+    return texcoord4(unit, s, t, r, q);
   dispatch<execute::multi_texcoord4>(target, s, t, r, q);
 }
 inline void multi_texcoord3(GLenum target, float s, float t, float r) {

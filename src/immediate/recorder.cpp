@@ -28,6 +28,11 @@ float* put_fields(const Context& context, const VertexLayout& layout, float* at)
   if (layout.fields & kFieldColor) at = put(at, context.current.color, 4);
   if (layout.fields & kFieldSecondaryColor) at = put(at, context.current.secondary_color, 3);
   if (layout.fields & kFieldFogCoord) *at++ = context.current.fog_coordinate;
+  if (layout.texcoords) {
+    for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+      if (layout.texcoords & 1u << unit)
+        at = put(at, context.current.texture_coordinates[unit], texcoord_size(layout, unit));
+  }
   if (layout.materials) {
     for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
       if (layout.materials & (1u << i))
@@ -38,6 +43,9 @@ float* put_fields(const Context& context, const VertexLayout& layout, float* at)
   if (layout.fields & kFieldEdgeFlag) *at++ = context.current.edge_flag ? 1.0f : 0.0f;
   return at;
 }
+
+/// Two floats do not say all of it.
+bool is_wide(const glm::vec4& coordinates) { return coordinates.z != 0 || coordinates.w != 1; }
 
 bool list_of_independent_primitives(GLenum mode) {
   return mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES || mode == GL_QUADS;
@@ -78,6 +86,13 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
   if (context.fog.enabled && context.fog.coordinate_source == GL_FOG_COORD)
     layout.fields |= kFieldFogCoord;
   if (is_unfilled(context.raster.polygon)) layout.fields |= kFieldEdgeFlag;
+  if (const ActiveTextures& textures = active_textures(context); textures.mask) {
+    if (textures.reads_normal) layout.fields |= kFieldNormal;
+    layout.texcoords = textures.from_vertex;
+    for (unsigned unit = 0; unit < textures.count; ++unit)
+      if (layout.texcoords & 1u << unit && is_wide(context.current.texture_coordinates[unit]))
+        layout.wide_texcoords |= static_cast<std::uint8_t>(1u << unit);
+  }
   return layout;
 }
 
@@ -156,7 +171,12 @@ void Recorder::set_layout(const VertexLayout& layout) {
   offsets_ = offsets_of(layout);
   materials_cached_ = false;
   shape_ = Shape::kOther;
-  if (layout.materials) return;
+  if (layout.materials || layout.wide_texcoords || layout.texcoords > 1) return;
+  if (layout.texcoords) {
+    if (layout.fields == kFieldNormal) shape_ = Shape::kNormalAndTexcoord;
+    if (layout.fields == kFieldColor) shape_ = Shape::kColorAndTexcoord;
+    return;
+  }
   if (layout.fields == kFieldNormal) shape_ = Shape::kNormal;
   if (layout.fields == kFieldColor) shape_ = Shape::kColor;
   if (layout.fields == (kFieldNormal | kFieldColor)) shape_ = Shape::kNormalAndColor;
@@ -217,6 +237,16 @@ void Recorder::vertex(Context& context, float x, float y, float z) {
     case Shape::kNormalAndColor:
       position();
       cursor_ = put(put(vertex + 3, context.current.normal, 3), context.current.color, 4);
+      break;
+    case Shape::kNormalAndTexcoord:
+      position();
+      cursor_ = put(put(vertex + 3, context.current.normal, 3),
+                    context.current.texture_coordinates[0], 2);
+      break;
+    case Shape::kColorAndTexcoord:
+      position();
+      cursor_ = put(put(vertex + 3, context.current.color, 4),
+                    context.current.texture_coordinates[0], 2);
       break;
     case Shape::kOther: vertex_slowly(context, x, y, z); break;
   }
@@ -306,13 +336,13 @@ void Recorder::end(Context& context) {
   flush_if_large(context);
 }
 
-float* Recorder::append_vertices(Context& context, std::uint32_t count, bool with_w) {
+float* Recorder::append_vertices(Context& context, std::uint32_t count, bool with_w,
+                                 std::uint8_t wide_texcoords) {
   start_batch(context);
-  if (with_w && offsets_.position_size == 3) {
-    VertexLayout wide = layout_;
-    wide.fields |= kFieldPositionW;
-    widen(context, wide);
-  }
+  VertexLayout wide = layout_;
+  if (with_w) wide.fields |= kFieldPositionW;
+  wide.wide_texcoords |= static_cast<std::uint8_t>(wide_texcoords & wide.texcoords);
+  if (wide != layout_) widen(context, wide);
   reserve(count);
   float* const vertices = cursor_;
   cursor_ += std::size_t{count} * offsets_.stride;
@@ -345,7 +375,7 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
     put_fields(context, layout, to + wide.position_size);
     to[3] = wide.position_size == 4 && old.position_size == 3 ? 1.0f : to[3];
     std::memcpy(to, from, old.position_size * sizeof(float));
-    if (layout.materials == layout_.materials) {
+    if (layout.materials == layout_.materials && layout.wide_texcoords == layout_.wide_texcoords) {
       std::memcpy(to + wide.position_size, from + old.position_size, old_rest * sizeof(float));
       continue;
     }
@@ -356,6 +386,14 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
     if (layout_.fields & kFieldColor) keep(wide.color, old.color, 4);
     if (layout_.fields & kFieldSecondaryColor) keep(wide.secondary_color, old.secondary_color, 3);
     if (layout_.fields & kFieldFogCoord) keep(wide.fog_coord, old.fog_coord, 1);
+    for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {
+      if (!(layout_.texcoords & 1u << unit)) continue;
+      if (texcoord_size(layout, unit) == 4) {
+        to[wide.texcoords[unit] + 2] = 0;
+        to[wide.texcoords[unit] + 3] = 1;
+      }
+      keep(wide.texcoords[unit], old.texcoords[unit], texcoord_size(layout_, unit));
+    }
     if (layout_.fields & kFieldEdgeFlag) keep(wide.edge_flag, old.edge_flag, 1);
     if (layout_.fields & kFieldLightingPosition)
       keep(wide.lighting_position, old.lighting_position, old.position_size);
@@ -373,6 +411,13 @@ void Recorder::carry_materials(Context& context, MaterialMask mask) {
   if (!context.lighting.enabled) return;
   VertexLayout layout = layout_;
   layout.materials = static_cast<MaterialMask>(layout.materials | mask);
+  if (layout != layout_) widen(context, layout);
+}
+
+void Recorder::carry_wide_texcoords(Context& context, unsigned unit) {
+  if (is_idle() || !(layout_.texcoords & 1u << unit)) return;
+  VertexLayout layout = layout_;
+  layout.wide_texcoords |= static_cast<std::uint8_t>(1u << unit);
   if (layout != layout_) widen(context, layout);
 }
 

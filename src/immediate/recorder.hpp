@@ -39,9 +39,10 @@ class Recorder {
   void vertex(legacy_gl_context& context, float x, float y, float z, float w);
 
   /// For client arrays: room for `count` vertices, which the caller fills as layout() says. The
-  /// position has a w when `with_w`, or when the batch has one already. Follow with append_run or
-  /// append_elements.
-  float* append_vertices(legacy_gl_context& context, std::uint32_t count, bool with_w);
+  /// position has a w when `with_w`, or when the batch has one already; so with the texture
+  /// coordinates of units in `wide_texcoords`. Follow with append_run or append_elements.
+  float* append_vertices(legacy_gl_context& context, std::uint32_t count, bool with_w,
+                         std::uint8_t wide_texcoords = 0);
   /// The last `count` vertices as primitives of `mode`.
   void append_run(legacy_gl_context& context, GLenum mode, std::uint32_t count);
   /// Room for `count` elements: vertices of the batch, drawn as primitives of `mode`.
@@ -80,6 +81,8 @@ class Recorder {
     materials_cached_ = false;
     end_object();
   }
+  /// From here on vertices carry the unit's r and q; those recorded before get 0 and 1.
+  void carry_wide_texcoords(legacy_gl_context& context, unsigned unit);
 
   const VertexLayout& layout() const { return layout_; }
   const VertexOffsets& offsets() const { return offsets_; }
@@ -114,7 +117,14 @@ class Recorder {
   void add_run(legacy_gl_context& context, const PrimitiveRun& run);
 
   /// The layouts that most programs use; their vertices are stored without a look at the layout.
-  enum class Shape : std::uint8_t { kOther, kNormal, kColor, kNormalAndColor };
+  enum class Shape : std::uint8_t {
+    kOther,
+    kNormal,
+    kColor,
+    kNormalAndColor,
+    kNormalAndTexcoord,
+    kColorAndTexcoord
+  };
 
   void set_layout(const VertexLayout& layout);
   void vertex_slowly(legacy_gl_context& context, float x, float y, float z);

@@ -225,6 +225,11 @@ class Expander {
         state_.flat ? batch_.vertices + std::size_t{provoking} * from_.stride : position;
     std::memcpy(to, colored, shared_floats_ * sizeof(float));
     std::memcpy(to, position, from_.position_size * sizeof(float));
+    if (state_.flat && batch_.layout.texcoords)
+      for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+        if (batch_.layout.texcoords & 1u << unit)
+          std::memcpy(to + to_.texcoords[unit], position + from_.texcoords[unit],
+                      texcoord_size(batch_.layout, unit) * sizeof(float));
     if (out_.layout.fields & kFieldLightingPosition)
       std::memcpy(to + to_.lighting_position, colored, from_.position_size * sizeof(float));
     if (out_.layout.fields & kFieldDepthOffset)

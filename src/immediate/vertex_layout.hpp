@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "lighting/material.hpp"
+#include "state/current.hpp"
 
 namespace legacy_gl {
 
@@ -23,6 +24,8 @@ enum VertexField : std::uint16_t {
 
 struct VertexLayout {
   std::uint16_t fields = 0;
+  std::uint8_t texcoords = 0;       ///< texture units whose coordinates it holds: s and t,
+  std::uint8_t wide_texcoords = 0;  ///< or of these units s, t, r, q
   MaterialMask materials = 0;  ///< properties that the vertices carry: material_size floats each
   bool operator==(const VertexLayout&) const = default;
 };
@@ -32,6 +35,7 @@ struct VertexOffsets {
   unsigned position_size = 3;
   unsigned normal = 0, color = 0, secondary_color = 0, fog_coord = 0, edge_flag = 0;
   unsigned lighting_position = 0, depth_offset = 0;
+  unsigned texcoords[kMaxTextureUnits] = {};
   unsigned materials[2 * kPropertyCount] = {};
   unsigned materials_begin = 0, materials_end = 0;
   unsigned stride = 0;  ///< in floats
@@ -43,7 +47,11 @@ constexpr unsigned material_size(unsigned property) {
 }
 
 /// A stride is never larger.
-inline constexpr unsigned kMaxVertexFloats = 64;
+inline constexpr unsigned kMaxVertexFloats = 96;
+
+constexpr unsigned texcoord_size(const VertexLayout& layout, unsigned unit) {
+  return layout.wide_texcoords & 1u << unit ? 4 : 2;
+}
 
 inline VertexOffsets offsets_of(const VertexLayout& layout) {
   VertexOffsets offsets;
@@ -57,6 +65,9 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
   if (layout.fields & kFieldColor) take(offsets.color, 4);
   if (layout.fields & kFieldSecondaryColor) take(offsets.secondary_color, 3);
   if (layout.fields & kFieldFogCoord) take(offsets.fog_coord, 1);
+  if (layout.texcoords)
+    for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+      if (layout.texcoords & 1u << unit) take(offsets.texcoords[unit], texcoord_size(layout, unit));
   offsets.materials_begin = at;
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (layout.materials & (1u << i)) take(offsets.materials[i], material_size(i % kPropertyCount));

@@ -9,7 +9,8 @@ namespace legacy_gl {
 /// The first lines: the version, the key in words, default precision.
 void emit_header(Writer& w, const ProgramKey& key, Dialect dialect, const char* stage);
 
-/// What goes from the vertex to the fragment: the colours of both faces, and secondary colours.
+/// What goes from the vertex to the fragment: the colours of both faces, secondary colours, texture
+/// coordinates.
 /// `direction` is in or out.
 void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect, const std::string& direction);
 bool has_secondary(const ProgramKey& key);

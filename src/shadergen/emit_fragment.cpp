@@ -1,6 +1,6 @@
 // The fragment stage, in the specification's order: the face's colours, texturing (GL 2.1
 // spec 3.8), colour sum (3.9), fog (3.10), alpha test (4.1.4).
-#include "shadergen/emit.hpp"
+#include "shadergen/emit_texture.hpp"
 
 namespace legacy_gl {
 
@@ -49,7 +49,9 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   emit_header(w, key, dialect, "fragment");
   emit_fog_block(w, key.fragments);
   if (key.per_fragment) emit_per_fragment_blocks(w, key);
+  if (fragment_reads_texture_block(key.textures)) emit_texture_block(w, key.textures);
   emit_varyings(w, key, dialect, "in");
+  emit_samplers(w, key.textures, dialect);
   w.blank();
   if (key.per_fragment) emit_lighting_functions(w, key);
   if (key.pixels != PixelSource::kNone) w.line("uniform sampler2D pixel_texture;");
@@ -60,6 +62,7 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   if (key.per_fragment) emit_per_fragment_colors(w, key);
   FragmentColors colors = emit_face(w, key);
   emit_pixel(w, key, colors);
+  emit_textures(w, key.textures, colors);
   emit_color_sum(w, key, colors);
   emit_fog(w, key.fragments, colors);
   emit_alpha_test(w, key.fragments, colors);

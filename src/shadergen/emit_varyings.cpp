@@ -1,4 +1,4 @@
-#include "shadergen/emit.hpp"
+#include "shadergen/emit_texture.hpp"
 
 namespace legacy_gl {
 
@@ -31,6 +31,7 @@ void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
   else emit_color_varyings(w, key, dialect, direction);
   if (key.fragments.has_fog()) w.line(direction + " float fog_distance;");
   emit_clip_varyings(w, key.fragments, dialect, direction);
+  emit_texture_varyings(w, key.textures, direction);
 }
 
 }  // namespace legacy_gl

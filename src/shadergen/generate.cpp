@@ -2,6 +2,7 @@
 
 #include "shadergen/attributes.hpp"
 #include "shadergen/emit.hpp"
+#include "shadergen/emit_texture.hpp"
 #include "shadergen/general.hpp"
 #include "shadergen/uniform_blocks.hpp"
 
@@ -23,7 +24,7 @@ void emit_input(Writer& w, unsigned location, const std::string& type, const std
 
 void emit_inputs(Writer& w, const ProgramKey& key) {
   emit_input(w, kLocationPosition, "vec4", "position");
-  if (key.lit) emit_input(w, kLocationNormal, "vec3", "normal");
+  if (key.lit || key.textures.reads_normal()) emit_input(w, kLocationNormal, "vec3", "normal");
   if (key.pixels != PixelSource::kNone) emit_input(w, kLocationTexel, "vec2", "texel_position");
   if (key.lighting_position) emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
   if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
@@ -33,8 +34,11 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
   for (unsigned face = 0; face < 2; ++face)
     for (unsigned property = 0; property < 5; ++property)
       if (key.material[face][property] == MaterialSource::kVertex)
-        emit_input(w, kLocationMaterial + face * 5 + property, property == 4 ? "float" : "vec4",
-                   kMaterialAttributeNames[face][property]);
+        emit_input(w, material_location(key.vertex_materials, face * 5 + property),
+                   property == 4 ? "float" : "vec4", kMaterialAttributeNames[face][property]);
+  for (unsigned unit = 0; unit < key.textures.count; ++unit)
+    if (key.textures.stages[unit].reads_vertex())
+      emit_input(w, texcoord_location(unit), "vec4", "texcoord" + std::to_string(unit));
   w.blank();
 }
 
@@ -67,6 +71,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
     general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
   emit_fog_block(w, key.fragments);
   emit_clip_block(w, key.fragments);
+  if (vertex_reads_texture_block(key.textures)) emit_texture_block(w, key.textures);
   emit_inputs(w, key);
   emit_varyings(w, key, dialect, "out");
   // The same expression in every variant, so that multipass rendering with GL_EQUAL meets its own
@@ -74,6 +79,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.line("invariant gl_Position;");
   w.blank();
   if (key.lit) general ? emit_general_functions(w, key) : emit_lighting_functions(w, key);
+  emit_texture_functions(w, key.textures);
   w.open("void main() {");
   w.line(pixels ? "gl_Position = position;" : "gl_Position = modelview_projection * position;");
   if (pixels) w.line("texel = texel_position;");
@@ -94,6 +100,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
     w.line("front_color = clamp(color, 0.0, 1.0);");
     if (key.secondary_from_vertex) w.line("front_secondary = clamp(secondary_color, 0.0, 1.0);");
   }
+  emit_texture_coordinates(w, key.textures);
   w.close();
   return w.text();
 }

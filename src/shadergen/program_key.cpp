@@ -63,6 +63,7 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
                 static_cast<std::size_t>(key.quality) | static_cast<std::size_t>(key.pixels) << 24);
   for (const auto& face : key.material)
     for (const MaterialSource source : face) mix(hash, static_cast<std::size_t>(source));
+  mix(hash, key.vertex_materials);
   for (const std::uint8_t shininess : key.integer_shininess) mix(hash, shininess);
   for (const LightRun& run : key.lights)
     mix(hash, static_cast<std::size_t>(run.kind) << 16 | run.count);
@@ -71,6 +72,7 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
                 static_cast<std::size_t>(key.fragments.alpha) << 16 |
                 std::size_t{key.fragments.clip_planes} << 8 |
                 static_cast<std::size_t>(key.fragments.fog_coordinate));
+  if (key.textures.count) mix(hash, hash_of(key.textures));
   return hash;
 }
 
@@ -122,6 +124,7 @@ std::string describe(const ProgramKey& key) {
   describe_fragments(text, key.fragments);
   static constexpr const char* kPixels[] = {"", "bitmap", "pixels", "depth pixels"};
   if (key.pixels != PixelSource::kNone) append(text, kPixels[static_cast<unsigned>(key.pixels)]);
+  if (key.textures.count) append(text, describe(key.textures));
   return text;
 }
 

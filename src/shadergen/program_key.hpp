@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shadergen/fragment_key.hpp"
+#include "shadergen/texture_key.hpp"
 
 namespace legacy_gl {
 
@@ -89,6 +90,9 @@ struct ProgramKey {
   Quality quality = Quality::kDefault;
   /// [face][ambient, diffuse, specular, emission, shininess]
   std::array<std::array<MaterialSource, 5>, 2> material{};
+  /// The properties that vertices carry, bit face * 5 + property, whether they are read or not:
+  /// they have locations.
+  std::uint16_t vertex_materials = 0;
   /// Shininess of each face: 0 to 128 is raised by repeated squaring, kGeneralShininess by exp2 and
   /// a logarithm.
   std::array<std::uint8_t, 2> integer_shininess{};
@@ -97,6 +101,7 @@ struct ProgramKey {
   /// (general.hpp).
   std::uint16_t general_lights = 0;
   FragmentKey fragments;
+  TextureKey textures;
   bool operator==(const ProgramKey&) const = default;
 
   unsigned light_count() const {

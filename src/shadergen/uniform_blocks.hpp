@@ -19,11 +19,12 @@ enum UniformBlock : unsigned {
   kGeneralBlock,
   kFragmentsBlock,
   kClipPlanesBlock,
+  kTexturesBlock,
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
     "Transform", "Lights",  "FrontMaterial", "BackMaterial",
-    "Precise",   "General", "Fragments",     "ClipPlanes"};
+    "Precise",   "General", "Fragments",     "ClipPlanes", "Textures"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
@@ -154,5 +155,31 @@ inline constexpr const char* kProductsStructText = R"(struct Products {  // ligh
 };
 )";
 static_assert(sizeof(MaterialUniforms) == 32);
+
+struct TextureUnitUniforms {
+  glm::mat4 matrix{1.0f};
+  std::array<glm::vec4, 4> planes{};  ///< of s, t, r, q, in object coordinates
+  glm::vec4 color{0};                 ///< of the environment
+  glm::vec4 parameters{0};            ///< x: level of detail bias
+};
+inline constexpr const char* kTextureUnitStructText = R"(struct TextureUnit {
+  mat4 matrix;
+  vec4 planes[4];   // of s, t, r, q, in object coordinates
+  vec4 color;       // of the environment
+  vec4 parameters;  // x: level of detail bias
+};
+)";
+static_assert(sizeof(TextureUnitUniforms) == 160);
+
+/// What heads Textures; units follow.
+struct TexturesUniforms {
+  glm::mat4 modelview{1.0f};                 ///< object to eye coordinates
+  std::array<glm::vec4, 3> normal_matrix{};  ///< to eye coordinates
+};
+inline constexpr const char* kTexturesHeadText = R"(layout(std140) uniform Textures {
+  mat4 texgen_modelview;  // object to eye coordinates
+  mat3 texgen_normal_matrix;
+)";
+static_assert(sizeof(TexturesUniforms) == 112);
 
 }  // namespace legacy_gl

@@ -44,6 +44,37 @@ void restore_raster(Context& context, GLbitfield mask, const RasterState& saved)
   }
 }
 
+void save_textures(const Context& context, TextureGroup& saved) {
+  saved.active_texture = context.active_texture;
+  saved.units = context.texture.units;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    for (unsigned target = 0; target < kTextureTargetCount; ++target)
+      saved.parameters[unit][target] = context.texture.units[unit].bound[target]->parameters;
+}
+
+/// A texture that was deleted since the push does not come back.
+void restore_textures(Context& context, const TextureGroup& saved) {
+  context.active_texture = saved.active_texture;
+  if (!(context.texture.units == saved.units)) {
+    texture_changes(context);
+    context.texture.units = saved.units;
+  }
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    for (unsigned target = 0; target < kTextureTargetCount; ++target) {
+      TexturePointer& bound = context.texture.units[unit].bound[target];
+      const TextureParameters& parameters = saved.parameters[unit][target];
+      const bool deleted = bound->name && context.texture.names->find(bound->name) != bound;
+      if (!deleted && bound->parameters == parameters) continue;
+      texture_changes(context);
+      if (deleted) {
+        bound = context.texture.defaults[target];
+        continue;
+      }
+      bound->parameters = parameters;
+      bound->parameters_stale = true;
+    }
+}
+
 /// A buffer object that was deleted since the push does not come back.
 void forget_deleted_buffers(Context& context) {
   BufferObjects& buffers = context.backend->buffers();
@@ -72,7 +103,7 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
   level.fog = context.fog;
   level.hints = context.hints;
   level.list_base = context.lists.base;
-  level.active_texture = context.active_texture;
+  if (mask & GL_TEXTURE_BIT) save_textures(context, level.texture);
   level.color_sum_enabled = context.color_sum_enabled;
   level.read_buffer = context.read_buffer;
   if (mask & GL_ENABLE_BIT) save_enables(context, level.enables);
@@ -99,7 +130,7 @@ void restore_attributes(Context& context, const SavedAttributes& level) {
   }
   if (mask & GL_HINT_BIT) context.hints = level.hints;
   if (mask & GL_LIST_BIT) context.lists.base = level.list_base;
-  if (mask & GL_TEXTURE_BIT) context.active_texture = level.active_texture;
+  if (mask & GL_TEXTURE_BIT) restore_textures(context, level.texture);
   if (mask & GL_PIXEL_MODE_BIT && context.read_buffer != level.read_buffer)
     set_read_buffer(context, level.read_buffer);
 }

@@ -9,6 +9,7 @@
 #include "state/fog.hpp"
 #include "state/gl_types.hpp"
 #include "state/raster.hpp"
+#include "texture/texture_state.hpp"
 
 struct legacy_gl_context;
 
@@ -22,6 +23,13 @@ struct TransformGroup {
   ClipPlanes clip;
 };
 
+/// What GL_TEXTURE_BIT saves: the units, and the parameters of what they have bound.
+struct TextureGroup {
+  unsigned active_texture = 0;
+  std::array<TextureUnit, kMaxTextureUnits> units;
+  std::array<std::array<TextureParameters, kTextureTargetCount>, kMaxTextureUnits> parameters;
+};
+
 /// One level of the attribute stack: the groups that `mask` names (GL 2.1 spec 6.1.14, tables 6.6
 /// to 6.33).
 struct SavedAttributes {
@@ -33,7 +41,7 @@ struct SavedAttributes {
   FogState fog;
   HintState hints;
   GLuint list_base = 0;
-  unsigned active_texture = 0;
+  TextureGroup texture;
   bool color_sum_enabled = false;
   GLenum read_buffer = GL_NONE;
   std::vector<std::uint8_t> enables;  ///< in the order of enable_group()

@@ -34,6 +34,30 @@ bool* raster_flag(RasterState& raster, GLenum capability) {
   }
 }
 
+/// The flag of the active texture unit; nullptr for what is none of a unit's.
+template <typename Unit>  // const or not
+auto texture_flag(Unit& unit, GLenum capability) -> decltype(&unit.enabled[0]) {
+  switch (capability) {
+    case GL_TEXTURE_1D: return &unit.enabled[kTexture1D];
+    case GL_TEXTURE_2D: return &unit.enabled[kTexture2D];
+    case GL_TEXTURE_3D: return &unit.enabled[kTexture3D];
+    case GL_TEXTURE_CUBE_MAP: return &unit.enabled[kTextureCube];
+    default: break;
+  }
+  const GLenum coordinate = capability - GL_TEXTURE_GEN_S;
+  return coordinate < 4 ? &unit.texgen.coordinates[coordinate].enabled : nullptr;
+}
+
+constexpr GLenum kTextureEnables[] = {
+    GL_TEXTURE_1D,    GL_TEXTURE_2D,    GL_TEXTURE_3D,    GL_TEXTURE_CUBE_MAP,
+    GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q};
+
+void enable_texture(Context& context, bool& flag, bool enabled) {
+  if (flag == enabled) return;
+  texture_changes(context);
+  flag = enabled;
+}
+
 /// Those of GL_ENABLE_BIT (GL 2.1 spec table 6.6 to 6.33); client arrays are not among them.
 constexpr GLenum kEnableGroup[] = {GL_ALPHA_TEST,
                                    GL_BLEND,
@@ -75,6 +99,9 @@ void save_enables(const Context& context, std::vector<std::uint8_t>& enables) {
   for (const GLenum capability : kEnableGroup)
     enables.push_back(capability_enabled(context, capability, known));
   for (const Light& light : context.lighting.lights) enables.push_back(light.enabled);
+  for (const TextureUnit& unit : context.texture.units)
+    for (const GLenum capability : kTextureEnables)
+      enables.push_back(*texture_flag(unit, capability));
 }
 
 void restore_enables(Context& context, const std::vector<std::uint8_t>& enables) {
@@ -83,18 +110,13 @@ void restore_enables(Context& context, const std::vector<std::uint8_t>& enables)
     set_capability(context, capability, enables[at++] != 0);
   for (unsigned light = 0; light < context.lighting.lights.size(); ++light)
     enable_light(context, light, enables[at++] != 0);
+  for (TextureUnit& unit : context.texture.units)
+    for (const GLenum capability : kTextureEnables)
+      enable_texture(context, *texture_flag(unit, capability), enables[at++] != 0);
 }
 
 bool is_unbuilt_capability(GLenum capability) {
   switch (capability) {
-    case GL_TEXTURE_1D:
-    case GL_TEXTURE_2D:
-    case GL_TEXTURE_3D:
-    case GL_TEXTURE_CUBE_MAP:
-    case GL_TEXTURE_GEN_S:
-    case GL_TEXTURE_GEN_T:
-    case GL_TEXTURE_GEN_R:
-    case GL_TEXTURE_GEN_Q:
     case GL_LINE_STIPPLE:
     case GL_POLYGON_STIPPLE:
     case GL_POINT_SMOOTH:
@@ -160,6 +182,10 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
            kDirtyKey | kDirtyFragments | kDirtyRaster);
     return true;
   }
+  if (bool* const flag = texture_flag(context.texture.units[context.active_texture], capability)) {
+    enable_texture(context, *flag, enabled);
+    return true;
+  }
   if (is_unbuilt_capability(capability)) {
     if (!enabled) return true;
     diagnose(context, in_words("glEnable(0x%04X) is not built yet", capability));
@@ -194,6 +220,8 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
   if (const GLenum plane = capability - GL_CLIP_PLANE0; plane < kMaxClipPlanes)
     return (context.transform.clip.enabled >> plane & 1) != 0;
   if (is_unbuilt_capability(capability)) return false;
+  const TextureUnit& unit = context.texture.units[context.active_texture];
+  if (const bool* const flag = texture_flag(unit, capability)) return *flag;
   RasterState raster = context.raster;
   const bool* const flag = raster_flag(raster, capability);
   known = flag != nullptr;

@@ -18,6 +18,7 @@
 #include "state/dirty.hpp"
 #include "state/fog.hpp"
 #include "state/raster.hpp"
+#include "texture/texture_state.hpp"
 
 namespace legacy_gl {
 
@@ -52,6 +53,7 @@ struct legacy_gl_context {
   legacy_gl::TransformState transform;
   legacy_gl::RasterState raster;
   legacy_gl::FogState fog;
+  legacy_gl::TextureState texture;
   legacy_gl::HintState hints;
   legacy_gl::PixelStore pack, unpack;
   GLenum read_buffer = GL_FRONT;  ///< set when the framebuffer is known

@@ -12,6 +12,7 @@ enum Dirty : std::uint32_t {
   kDirtyKey = 1u << 3,        ///< a state that chooses the program variant
   kDirtyRaster = 1u << 4,     ///< a state that the driver still has: depth, blend, cull, ...
   kDirtyFragments = 1u << 6,  ///< fog, the alpha test's reference, clip planes
+  kDirtyTexture = 1u << 5,    ///< units, their textures and texture matrices
   kDirtyAll = 0xffffffffu
 };
 

@@ -23,10 +23,6 @@ constexpr Query kStipplesAndPoints[] = {
 };
 
 constexpr Query kTexture[] = {
-    {GL_TEXTURE_BINDING_1D, kInteger, fixed<0>},
-    {GL_TEXTURE_BINDING_2D, kInteger, fixed<0>},
-    {GL_TEXTURE_BINDING_3D, kInteger, fixed<0>},
-    {GL_TEXTURE_BINDING_CUBE_MAP, kInteger, fixed<0>},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<0>},
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
 };

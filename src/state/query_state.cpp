@@ -13,6 +13,11 @@ namespace {
 using enum ValueKind;
 
 const MatrixStack& texture_stack(const Context& c) { return c.transform.texture[c.active_texture]; }
+template <TextureTarget kTarget>
+void binding(Context& c, QueryValues& v) {
+  v.put(c.texture.units[c.active_texture].bound[kTarget]->name);
+}
+
 GLint as_bits(GLuint mask) { return static_cast<GLint>(mask); }
 
 /// GL 2.1 spec 4.1.5: the reference value is clamped to what the stencil buffer holds.
@@ -83,6 +88,10 @@ constexpr Query kTransform[] = {
      [](Context& c, QueryValues& v) { v.put(GL_TEXTURE0 + c.active_texture); }},
     {GL_CLIENT_ACTIVE_TEXTURE, kInteger,
      [](Context& c, QueryValues& v) { v.put(GL_TEXTURE0 + c.client_active_texture); }},
+    {GL_TEXTURE_BINDING_1D, kInteger, binding<kTexture1D>},
+    {GL_TEXTURE_BINDING_2D, kInteger, binding<kTexture2D>},
+    {GL_TEXTURE_BINDING_3D, kInteger, binding<kTexture3D>},
+    {GL_TEXTURE_BINDING_CUBE_MAP, kInteger, binding<kTextureCube>},
     {GL_MAX_TEXTURE_UNITS, kInteger, [](Context&, QueryValues& v) { v.put(kMaxTextureUnits); }},
     {GL_VIEWPORT, kInteger, [](Context& c, QueryValues& v) { v.put(c.raster.viewport.box); }},
     {GL_DEPTH_RANGE, kNormalised,

@@ -32,6 +32,9 @@ std::vector<Scene> fog_scenes();
 std::vector<Scene> alpha_test_scenes();
 std::vector<Scene> clip_planes_scenes();
 std::vector<Scene> bitmap_scenes();
+std::vector<Scene> texture_environments_scenes();
+std::vector<Scene> texture_filters_scenes();
+std::vector<Scene> texture_coordinates_scenes();
 std::vector<Scene> departures_scenes();
 
 }  // namespace legacy_gl::test

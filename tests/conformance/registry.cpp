@@ -29,6 +29,9 @@ const std::vector<Feature>& features() {
       {"alpha_test", alpha_test_scenes()},
       {"clip_planes", clip_planes_scenes()},
       {"bitmap", bitmap_scenes()},
+      {"texture_environments", texture_environments_scenes()},
+      {"texture_filters", texture_filters_scenes()},
+      {"texture_coordinates", texture_coordinates_scenes()},
       {"departures", departures_scenes()},
   };
   return all;

@@ -26,6 +26,8 @@ struct SceneTraits {
 
   // Fewer than four colours by intention (unlit flat figures, saturated light).
   bool few_colors = false;
+  // Samples textures of 8 bits: in float as well, filters may differ by a step.
+  bool filtered = false;
   // Draws nothing by intention: the background itself is what is tested.
   bool draws_nothing = false;
 };

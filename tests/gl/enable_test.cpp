@@ -52,12 +52,18 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_SAMPLE_ALPHA_TO_COVERAGE,
                                     GL_SAMPLE_COVERAGE,
                                     GL_SCISSOR_TEST,
-                                    GL_STENCIL_TEST};
+                                    GL_STENCIL_TEST,
+                                    GL_TEXTURE_1D,
+                                    GL_TEXTURE_2D,
+                                    GL_TEXTURE_3D,
+                                    GL_TEXTURE_CUBE_MAP,
+                                    GL_TEXTURE_GEN_S,
+                                    GL_TEXTURE_GEN_T,
+                                    GL_TEXTURE_GEN_R,
+                                    GL_TEXTURE_GEN_Q};
 
-constexpr GLenum kUnbuilt[] = {GL_AUTO_NORMAL,      GL_LINE_STIPPLE,    GL_MAP1_COLOR_4,
-                               GL_MAP2_VERTEX_4,    GL_POLYGON_STIPPLE, GL_TEXTURE_1D,
-                               GL_TEXTURE_2D,       GL_TEXTURE_3D,      GL_POINT_SMOOTH,
-                               GL_TEXTURE_CUBE_MAP, GL_TEXTURE_GEN_S};
+constexpr GLenum kUnbuilt[] = {GL_AUTO_NORMAL,   GL_LINE_STIPPLE,    GL_MAP1_COLOR_4,
+                               GL_MAP2_VERTEX_4, GL_POLYGON_STIPPLE, GL_POINT_SMOOTH};
 
 class Enable : public testing::TestWithParam<Dialect> {
  protected:

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "shadergen/attributes.hpp"
 #include "shadergen/program_key.hpp"
 
 namespace legacy_gl::test {
@@ -12,6 +13,13 @@ class RandomKeys {
   explicit RandomKeys(unsigned seed) : random_(seed) {}
 
   ProgramKey next() {
+    ProgramKey key = lighting_and_shape();
+    if (chance(2)) add_textures(key);
+    return key;
+  }
+
+ private:
+  ProgramKey lighting_and_shape() {
     ProgramKey key;
     if (chance(12)) {
       key.pixels = static_cast<PixelSource>(1 + below(3));
@@ -43,12 +51,15 @@ class RandomKeys {
     add_normals(key);
     for (unsigned face = 0; face < (key.two_side ? 2u : 1u); ++face)
       for (unsigned property = 0; property < 5; ++property)
-        if (chance(4))
-          key.material[face][property] =
-              property == 4 || chance(2) ? MaterialSource::kVertex : MaterialSource::kColor;
+        if (chance(4)) {
+          const bool vertex = property == 4 || chance(2);
+          key.material[face][property] = vertex ? MaterialSource::kVertex : MaterialSource::kColor;
+          if (vertex)
+            key.vertex_materials |= static_cast<std::uint16_t>(1u << (face * 5 + property));
+        }
     if (key.light_count() && chance(2))
       key.quality = chance(2) ? Quality::kPrecise : Quality::kFastest;
-    if (key.quality != Quality::kPrecise && !key.flat)
+    if (key.quality != Quality::kPrecise && !key.flat && !key.lighting_position)
       key.per_fragment = key.light_count() && chance(4);
     key.scaled_sums = key.light_count() && chance(8);
     if (!specular) return key;
@@ -64,9 +75,57 @@ class RandomKeys {
     return key;
   }
 
- private:
   unsigned below(unsigned n) { return std::uniform_int_distribution<unsigned>(0, n - 1)(random_); }
   bool chance(unsigned n) { return below(n) == 0; }
+
+  CombineKey combine(unsigned functions) {
+    CombineKey half;
+    half.function = static_cast<CombineFunction>(below(functions));
+    half.scale = static_cast<std::uint8_t>(1u << below(3));
+    for (unsigned i = 0; i < argument_count(half.function); ++i) {
+      half.sources[i] = static_cast<std::uint8_t>(below(3 + kMaxTextureStages));
+      half.operands[i] = static_cast<CombineOperand>(functions == 8 ? below(4) : 2 + below(2));
+    }
+    return half;
+  }
+
+  void add_textures(ProgramKey& key) {
+    const unsigned units = 1 + (chance(3) ? below(kMaxTextureStages) : below(2));
+    for (unsigned unit = 0; unit < units; ++unit) {
+      const bool last = unit + 1 == units;
+      if (!last && chance(4)) continue;
+      TextureStageKey& stage = key.textures.stages[unit];
+      stage.kind = static_cast<TextureKind>(1 + below(4));
+      stage.base = static_cast<TextureBase>(below(6));
+      stage.mode = static_cast<TextureMode>(below(6));
+      if (stage.mode == TextureMode::kCombine) {
+        stage.rgb = combine(8);
+        stage.alpha = combine(6);
+        if (stage.rgb.function == CombineFunction::kDot3Rgba)
+          stage.alpha = {.scale = stage.alpha.scale};
+      }
+      if (chance(4))
+        for (unsigned i = 0; i < 4; ++i)
+          stage.sources[i] = static_cast<CoordinateSource>(below(i < 2 ? 5 : i == 2 ? 2 : 2));
+      stage.matrix = chance(3);
+      stage.projective = stage.kind != TextureKind::kCube && chance(3);
+      stage.lod_bias = chance(5);
+      const bool plane = stage.kind == TextureKind::k1D || stage.kind == TextureKind::k2D;
+      stage.shadow = plane && chance(4);
+      if (stage.kind != TextureKind::kCube && chance(3))
+        stage.clamp = static_cast<std::uint8_t>(1 + below(stage.kind == TextureKind::k1D ? 1
+                                                          : plane                        ? 3
+                                                                                         : 7));
+      stage.mipmap = stage.clamp && chance(2);
+      // Attributes that the per-vertex materials leave no room for are not read.
+      if (stage.reads_vertex() && !has_texcoord_location(key.vertex_materials, unit)) {
+        stage = {};
+        continue;
+      }
+      key.textures.count = static_cast<std::uint8_t>(unit + 1);
+    }
+    key.textures.normalize = key.textures.reads_normal() && chance(2);
+  }
 
   void add_normals(ProgramKey& key) {
     if (chance(2)) key.normal = NormalMode::kNormalize;

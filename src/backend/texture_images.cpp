@@ -1,0 +1,214 @@
+// Images of textures: to the driver, from the framebuffer, and back.
+#include <algorithm>
+
+#include "backend/textures.hpp"
+#include "texture/pixel_format.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+GLenum image_target(const ImagePlace& place) {
+  switch (place.texture.target) {
+    case kTexture3D: return GL_TEXTURE_3D;
+    case kTextureCube: return GL_TEXTURE_CUBE_MAP_POSITIVE_X + place.face;
+    default: return GL_TEXTURE_2D;
+  }
+}
+
+GLenum texture_target(TextureTarget target) {
+  if (target == kTexture3D) return GL_TEXTURE_3D;
+  return target == kTextureCube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+}
+
+GLenum transfer_format(BaseFormat base) {
+  if (base == BaseFormat::kDepth) return GL_DEPTH_COMPONENT;
+  switch (stored_components(base)) {
+    case 1: return GL_RED;
+    case 2: return GL_RG;
+    case 3: return GL_RGB;
+    default: return GL_RGBA;
+  }
+}
+
+GLenum transfer_type(Texels::Type type) {
+  switch (type) {
+    case Texels::Type::kBytes: return GL_UNSIGNED_BYTE;
+    case Texels::Type::kFloats: return GL_FLOAT;
+    case Texels::Type::kDepths: return GL_UNSIGNED_INT;
+  }
+  return GL_UNSIGNED_BYTE;
+}
+
+GLenum storage_format(const Driver& driver, const TextureFormat& format) {
+  return driver.is_es() ? format.es : format.core;
+}
+
+/// The driver's framebuffer has what the texture stores, in the same channels.
+bool driver_copies(const Driver& driver, BaseFormat base) {
+  switch (base) {
+    case BaseFormat::kAlpha:
+    case BaseFormat::kLuminanceAlpha: return false;
+    case BaseFormat::kDepth: return true;
+    default: return !driver.is_es();  // OpenGL ES refuses formats that do not fit
+  }
+}
+
+}  // namespace
+
+/// Texels are bytes without gaps, and no buffer object of the application's is read.
+void Textures::set_unpack_modes() {
+  driver_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  driver_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  driver_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  driver_.PixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+  driver_.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+  driver_.PixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
+  driver_.PixelStorei(GL_UNPACK_SKIP_IMAGES, 0);
+}
+
+bool Textures::define(const ImagePlace& place, const TextureImage& image, const Texels* texels) {
+  bind_to_change(place.texture);
+  set_unpack_modes();
+  place.texture.images.at(place.face, place.level) = image;
+  place.texture.parameters_stale = true;
+  const auto storage = static_cast<GLint>(storage_format(driver_, image.format));
+  Texels::Type type = Texels::Type::kBytes;
+  if (image.format.base == BaseFormat::kDepth) type = Texels::Type::kDepths;
+  if (texels) type = texels->type;
+  const void* const data = texels ? texels->data.data() : nullptr;
+  while (driver_.GetError() != GL_NO_ERROR) {
+  }
+  if (place.texture.target == kTexture3D)
+    driver_.TexImage3D(GL_TEXTURE_3D, place.level, storage, image.width, image.height, image.depth,
+                       0, transfer_format(image.format.base), transfer_type(type), data);
+  else
+    driver_.TexImage2D(image_target(place), place.level, storage, image.width, image.height, 0,
+                       transfer_format(image.format.base), transfer_type(type), data);
+  if (driver_.GetError() == GL_NO_ERROR) return true;
+  place.texture.images.at(place.face, place.level) = {};
+  return false;
+}
+
+void Textures::replace(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
+                       const Texels& texels) {
+  bind_to_change(place.texture);
+  set_unpack_modes();
+  const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
+  const GLenum format = transfer_format(base), type = transfer_type(texels.type);
+  if (place.texture.target == kTexture3D)
+    driver_.TexSubImage3D(GL_TEXTURE_3D, place.level, offset.x, offset.y, offset.z, size.width,
+                          size.height, size.depth, format, type, texels.data.data());
+  else
+    driver_.TexSubImage2D(image_target(place), place.level, offset.x, offset.y, size.width,
+                          size.height, format, type, texels.data.data());
+}
+
+void Textures::copy(const ImagePlace& place, const ImageOffset& offset,
+                    const PixelRectangle& from) {
+  const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
+  if (!driver_copies(driver_, base)) {
+    std::vector<float> colors(static_cast<std::size_t>(from.width) *
+                              static_cast<std::size_t>(from.height) * 4);
+    read_pixels(driver_, from, PixelStore{}, GL_RGBA, GL_FLOAT,
+                reinterpret_cast<std::byte*>(colors.data()));
+    replace(place, offset, {from.width, from.height, 1},
+            texels_of_colors(colors, base, takes_bytes_only()));
+    return;
+  }
+  bind_to_change(place.texture);
+  if (place.texture.target == kTexture3D)
+    driver_.CopyTexSubImage3D(GL_TEXTURE_3D, place.level, offset.x, offset.y, offset.z, from.x,
+                              from.y, from.width, from.height);
+  else
+    driver_.CopyTexSubImage2D(image_target(place), place.level, offset.x, offset.y, from.x, from.y,
+                              from.width, from.height);
+}
+
+std::vector<float> Textures::read(const ImagePlace& place) {
+  const TextureImage& image = place.texture.images.at(place.face, place.level);
+  const std::size_t count = ImageSize{image.width, image.height, image.depth}.texels();
+  const BaseFormat base = image.format.base;
+  std::vector<float> colors(count * 4);
+  if (driver_.is_es()) return read_from_framebuffer(place, image);
+  std::vector<float> stored(count * stored_components(base));
+  bind_to_change(place.texture);
+  driver_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  driver_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  driver_.GetTexImage(image_target(place), place.level, transfer_format(base), GL_FLOAT,
+                      stored.data());
+  driver_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  expand_texels(stored.data(), count, base, colors.data());
+  return colors;
+}
+
+/// OpenGL ES reads no textures, but framebuffers that they are attached to; of a depth texture
+/// nothing.
+std::vector<float> Textures::read_from_framebuffer(const ImagePlace& place,
+                                                   const TextureImage& image) {
+  const std::size_t slice =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  std::vector<float> colors(slice * static_cast<std::size_t>(image.depth) * 4);
+  if (image.format.base == BaseFormat::kDepth) return colors;
+  GLint before = 0;
+  driver_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
+  GLuint framebuffer = 0;
+  driver_.GenFramebuffers(1, &framebuffer);
+  driver_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  driver_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  std::vector<GLubyte> bytes(slice * 4);
+  const unsigned components = stored_components(image.format.base);
+  std::vector<float> stored(slice * components);
+  for (GLint z = 0; z < image.depth; ++z) {
+    if (place.texture.target == kTexture3D)
+      driver_.FramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                      place.texture.driver_name, place.level, z);
+    else
+      driver_.FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, image_target(place),
+                                   place.texture.driver_name, place.level);
+    driver_.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    for (std::size_t i = 0; i < slice; ++i)
+      for (unsigned c = 0; c < components; ++c)
+        stored[i * components + c] = static_cast<float>(bytes[i * 4 + c]) / 255.0f;
+    expand_texels(stored.data(), slice, image.format.base,
+                  colors.data() + static_cast<std::size_t>(z) * slice * 4);
+  }
+  driver_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
+  driver_.DeleteFramebuffers(1, &framebuffer);
+  return colors;
+}
+
+void Textures::generate_mipmap(TextureObject& texture) {
+  const GLint base = texture.base_level();
+  const GLint last = texture.images.last_level(texture.parameters);
+  if (!texture.images.at(0, base).exists() || last <= base) return;
+  bind_to_change(texture);
+  const GLenum target = texture_target(texture.target);
+  driver_.TexParameteri(target, GL_TEXTURE_BASE_LEVEL, base);
+  driver_.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, texture.parameters.max_level);
+  driver_.GenerateMipmap(target);
+  for (unsigned face = 0; face < texture.images.faces(); ++face) {
+    TextureImage image = texture.images.at(face, base);
+    for (GLint level = base + 1; level <= last; ++level) {
+      image.width = std::max(image.width / 2, 1);
+      image.height = std::max(image.height / 2, 1);
+      image.depth = std::max(image.depth / 2, 1);
+      texture.images.at(face, level) = image;
+    }
+  }
+}
+
+GLint Textures::channel_bits(const ImagePlace& place, unsigned channel) {
+  const TextureImage& image = place.texture.images.at(place.face, place.level);
+  if (driver_.is_es()) return es_channel_bits(image.format.es)[channel];
+  static constexpr GLenum kNames[] = {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE,
+                                      GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE};
+  bind_to_change(place.texture);
+  GLint bits = 0;
+  const bool depth = image.format.base == BaseFormat::kDepth;
+  driver_.GetTexLevelParameteriv(image_target(place), place.level,
+                                 depth ? GLenum{GL_TEXTURE_DEPTH_SIZE} : kNames[channel], &bits);
+  return bits;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "backend/driver.hpp"
+#include "backend/read_pixels.hpp"
+#include "texture/texture_state.hpp"
+#include "texture/unpack_pixels.hpp"
+
+namespace legacy_gl {
+
+/// Which image of a texture.
+struct ImagePlace {
+  TextureObject& texture;
+  unsigned face = 0;
+  GLint level = 0;
+};
+
+/// Where in an image, in texels.
+struct ImageOffset {
+  GLint x = 0, y = 0, z = 0;
+};
+
+/// Textures in the driver: their images, their parameters, and which are bound to its units.
+class Textures {
+ public:
+  explicit Textures(const Driver& driver);
+
+  /// Binds what the units draw with, its parameters up to date.
+  void bind(const ActiveTextures& active);
+  void forget_bindings();
+
+  /// Gives the image size and format, and texels unless it is nullptr. False when the driver has no
+  /// memory for it.
+  bool define(const ImagePlace& place, const TextureImage& image, const Texels* texels);
+  void replace(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
+               const Texels& texels);
+  /// From the framebuffer, whose rectangle starts at `from`. `window` bounds what it has.
+  void copy(const ImagePlace& place, const ImageOffset& offset, const PixelRectangle& from);
+  /// The image's colours, four floats a texel.
+  std::vector<float> read(const ImagePlace& place);
+  /// All levels above the base level (GL 2.1 spec 3.8.8), in the driver and in `images`.
+  void generate_mipmap(TextureObject& texture);
+
+  /// Bits of a stored channel.
+  GLint channel_bits(const ImagePlace& place, unsigned channel);
+  bool fits(TextureTarget target, GLint level, const ImageSize& size) const;
+  GLint largest_size(TextureTarget target) const;
+  bool takes_bytes_only() const { return driver_.is_es(); }
+  bool has_border_color() const { return has_border_color_; }
+
+ private:
+  void bind_to_change(TextureObject& texture);
+  void bind_unit(unsigned unit, TextureObject& texture);
+  void apply_parameters(TextureObject& texture);
+  void set_unpack_modes();
+  std::vector<float> read_from_framebuffer(const ImagePlace& place, const TextureImage& image);
+
+  const Driver& driver_;
+  bool has_border_color_ = true;
+  std::array<std::uint64_t, kMaxTextureUnits> bound_{};  ///< serial numbers; 0: not known
+  unsigned active_unit_ = ~0u;
+  bool samplers_unbound_ = false;
+};
+
+}  // namespace legacy_gl

@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <memory>
+
+#include "state/current.hpp"
+#include "texture/texture_environment.hpp"
+#include "texture/texture_names.hpp"
+
+struct legacy_gl_context;
+
+namespace legacy_gl {
+
+/// GL 2.1 spec tables 6.16, 6.20 to 6.22: what one texture unit has.
+struct TextureUnit {
+  std::array<bool, kTextureTargetCount> enabled{};
+  std::array<TexturePointer, kTextureTargetCount> bound;
+  TextureEnvironment environment;
+  TexgenState texgen;
+  bool operator==(const TextureUnit&) const = default;
+};
+
+/// The units that draw, as far as layouts and keys ask: derived from the units, their textures and
+/// matrices.
+struct ActiveTextures {
+  unsigned count = 0;           ///< units up to the highest that draws
+  std::uint8_t mask = 0;        ///< units that draw
+  std::uint8_t from_vertex = 0; ///< of those: units that read the texture coordinates
+  bool reads_normal = false;    ///< a generated coordinate depends on the normal
+  std::array<TextureObject*, kMaxTextureUnits> textures{};
+};
+
+struct TextureState {
+  TextureState();
+
+  std::shared_ptr<TextureNames> names = std::make_shared<TextureNames>();
+  /// What name 0 means for each target (GL 2.1 spec 3.8.12).
+  std::array<TexturePointer, kTextureTargetCount> defaults;
+  std::array<TextureUnit, kMaxTextureUnits> units;
+  /// GL 2.1 spec 3.8.11: what a proxy was asked last, a level a place.
+  std::array<TextureImages, kTextureTargetCount> proxies;
+
+  /// Set when `active` has to be found again.
+  mutable bool active_stale = false;
+  mutable ActiveTextures active;
+};
+
+/// Before a unit, or a texture that may be bound, changes: draws what is recorded.
+void texture_changes(legacy_gl_context& context);
+
+/// `active`, up to date.
+const ActiveTextures& active_textures(const legacy_gl_context& context);
+
+}  // namespace legacy_gl
