@@ -14,7 +14,7 @@ class RandomKeys {
 
   ProgramKey next() {
     ProgramKey key = lighting_and_shape();
-    if (chance(2)) add_textures(key);
+    if (key.pixels == PixelSource::kNone && chance(2)) add_textures(key);
     return key;
   }
 
