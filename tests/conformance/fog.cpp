@@ -138,7 +138,11 @@ std::vector<Scene> fog_scenes() {
       coordinate_scene("current_coordinate",
                        [](const GlFunctions& gl) {
                          gl.FogCoordf(0.25F);
-                         draw_patch(gl, 2);
+                         for (int i = 0; i < 5; ++i) {
+                           const float x = 0.2F * static_cast<float>(i);
+                           gl.Color3f(x, 1 - x, 0.5F);
+                           gl.Rectf(2 * x - 1, -1, 2 * x - 0.7F, 1);
+                         }
                        }),
   };
 }
