@@ -68,8 +68,8 @@ typedef struct legacy_gl_options {
   legacy_gl_diagnostic diagnostic; /**< NULL: stderr */
   void* diagnostic_user;
   legacy_gl_programs programs;
-  legacy_gl_context* share; /**< display lists and textures are shared with this context, textures as
-                              far as the two driver contexts share objects; NULL: with none */
+  legacy_gl_context* share; /**< display lists and textures are shared with this context, textures
+                              as far as the two driver contexts share objects; NULL: with none */
 } legacy_gl_options;
 
 /** Counters since creation or the last reset. Sizes in bytes. */

@@ -23,8 +23,8 @@ void copy_image(Context& c, GLenum target_name, unsigned dimensions, GLint level
   if (refused_inside(c)) return;
   const std::optional<ImageTarget> target = image_target(target_name, dimensions);
   if (!target || target->proxy) return raise_error(c, GL_INVALID_ENUM);
-  const NewImage image{*target, level, static_cast<GLint>(internal_format), border,
-                       {from.width, from.height, 1}};
+  const NewImage image{
+      *target, level, static_cast<GLint>(internal_format), border, {from.width, from.height, 1}};
   // The numbers 1 to 4 are no formats here.
   if (internal_format <= 4) return raise_error(c, GL_INVALID_VALUE);
   if (const GLenum error = new_image_error(c, image)) return raise_error(c, error);

@@ -30,8 +30,8 @@ bool is_mode(GLenum coordinate, GLenum mode) {
   }
 }
 
-/// To eye coordinates by the inverse of the modelview matrix of now; where it has none, the plane is
-/// undefined and stays finite.
+/// To eye coordinates by the inverse of the modelview matrix of now; where it has none, the plane
+/// is undefined and stays finite.
 glm::dvec4 plane_to_eye(Context& c, const Values& values) {
   const glm::dvec4 plane(values.v[0], values.v[1], values.v[2], values.v[3]);
   const glm::dvec4 eye = plane * glm::inverse(c.transform.modelview.top().exact);

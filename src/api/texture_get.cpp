@@ -65,8 +65,8 @@ GLint size_of(Context& c, const ImageTarget& target, GLint level, const TextureI
   if (channel < 0) return 0;
   const auto index = static_cast<unsigned>(channel);
   if (target.proxy) return es_channel_bits(image.format.es)[index];
-  return c.backend->textures().channel_bits(
-      {bound_texture(c, target.target), target.face, level}, index);
+  return c.backend->textures().channel_bits({bound_texture(c, target.target), target.face, level},
+                                            index);
 }
 
 GLenum read_level(Context& c, const ImageTarget& target, GLint level, GLenum name, GLint& value) {
@@ -108,8 +108,7 @@ void get_tex_level_parameter(Context& c, GLenum target_name, GLint level, GLenum
   if (!target) return raise_error(c, GL_INVALID_ENUM);
   if (const GLenum error = level_error(c, *target, level)) return raise_error(c, error);
   GLint value = 0;
-  if (const GLenum error = read_level(c, *target, level, name, value))
-    return raise_error(c, error);
+  if (const GLenum error = read_level(c, *target, level, name, value)) return raise_error(c, error);
   if (result) *result = static_cast<T>(value);
 }
 

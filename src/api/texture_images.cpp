@@ -108,12 +108,10 @@ void record(Context& c, const ImageCall& call, const void* pixels) {
   const ImageSize& size = call.size;
   const bool sized = size.width > 0 && size.height > 0 && size.depth > 0;
   head.has_pixels = pixels && sized && call.type != GL_BITMAP && !transfer_error(call);
-  const std::size_t row = sized ? static_cast<std::size_t>(size.width) *
-                                      bytes_per_pixel(call.format, call.type)
-                                : 0;
-  const std::size_t rows = sized ? static_cast<std::size_t>(size.height) *
-                                       static_cast<std::size_t>(size.depth)
-                                 : 0;
+  const std::size_t row =
+      sized ? static_cast<std::size_t>(size.width) * bytes_per_pixel(call.format, call.type) : 0;
+  const std::size_t rows =
+      sized ? static_cast<std::size_t>(size.height) * static_cast<std::size_t>(size.depth) : 0;
   auto* to = static_cast<std::byte*>(
       c.lists.append(&play_image, sizeof head + (head.has_pixels ? row * rows : 0)));
   std::memcpy(to, &head, sizeof head);

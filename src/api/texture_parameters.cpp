@@ -97,7 +97,8 @@ void tex_parameter(Context& c, GLenum target_name, GLenum name, Values values, b
   texture.parameters_stale = true;
   if (!c.backend->textures().has_border_color() &&
       std::count(parameters.wrap.begin(), parameters.wrap.end(), GL_CLAMP_TO_BORDER))
-    diagnose(c, "glTexParameter: this driver (OpenGL ES) has no border colour; the edge stands for it");
+    diagnose(
+        c, "glTexParameter: this driver (OpenGL ES) has no border colour; the edge stands for it");
 }
 
 template <typename T>

@@ -75,8 +75,7 @@ std::vector<std::size_t> last_of_each_attribute(const DisplayList& list, std::si
 unsigned attribute_size(const VertexLayout& layout, unsigned attribute) {
   static constexpr unsigned kSizes[] = {3, 4, 3, 1};
   constexpr unsigned kTexcoords = std::size(kSizes);
-  return attribute < kTexcoords ? kSizes[attribute]
-                                : texcoord_size(layout, attribute - kTexcoords);
+  return attribute < kTexcoords ? kSizes[attribute] : texcoord_size(layout, attribute - kTexcoords);
 }
 
 /// Two floats do not say all of it.

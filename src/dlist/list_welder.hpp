@@ -23,7 +23,13 @@ class ListWelder {
  private:
   /// One attribute whose value the list itself has set.
   using Known = std::optional<std::array<float, 4>>;
-  enum Attribute : unsigned { kNormal, kColor, kSecondaryColor, kFogCoord, kTexcoord };  // and each unit
+  enum Attribute : unsigned {
+    kNormal,
+    kColor,
+    kSecondaryColor,
+    kFogCoord,
+    kTexcoord
+  };  // and each unit
   static constexpr unsigned kAttributeKinds = kTexcoord + kMaxTextureUnits;
 
   struct Primitive {

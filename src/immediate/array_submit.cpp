@@ -55,8 +55,7 @@ void submit_arrays(Context& context, const ArrayViews& views, GLenum mode, std::
   if (!positions.data || first >= positions.readable) return;
   count = whole_primitives(mode, std::min(count, positions.readable - first));
   if (count == 0) return;
-  float* const vertices =
-      context.recorder.append_vertices(
+  float* const vertices = context.recorder.append_vertices(
       context, count, has_other_w(positions, first, count), wide_texcoord_arrays(views));
   ArrayGather(context, views, context.recorder.layout())(first, count, vertices);
   context.recorder.append_run(context, mode, count);

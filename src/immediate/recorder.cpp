@@ -245,8 +245,8 @@ void Recorder::vertex(Context& context, float x, float y, float z) {
       break;
     case Shape::kColorAndTexcoord:
       position();
-      cursor_ = put(put(vertex + 3, context.current.color, 4),
-                    context.current.texture_coordinates[0], 2);
+      cursor_ =
+          put(put(vertex + 3, context.current.color, 4), context.current.texture_coordinates[0], 2);
       break;
     case Shape::kOther: vertex_slowly(context, x, y, z); break;
   }

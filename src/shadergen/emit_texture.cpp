@@ -25,8 +25,7 @@ std::string clamped(const TextureStageKey& stage, const std::string& coordinate)
   std::string text;
   for (unsigned i = 0; i < size; ++i) {
     const std::string part = coordinate + "." + "xyz"[i];
-    text += (i ? ", " : "") +
-            (stage.clamp & 1u << i ? "clamp(" + part + ", 0.0, 1.0)" : part);
+    text += (i ? ", " : "") + (stage.clamp & 1u << i ? "clamp(" + part + ", 0.0, 1.0)" : part);
   }
   return "vec" + std::to_string(size) + "(" + text + ")";
 }
@@ -35,12 +34,12 @@ void emit_sample(Writer& w, const TextureStageKey& stage, unsigned unit) {
   const std::string i = std::to_string(unit);
   const std::string bias_value = "units[" + i + "].parameters.x";
   const std::string bias = stage.lod_bias ? ", " + bias_value : "";
-  const std::string result = stage.shadow ? "vec4 " + texel_of(unit) + " = vec4("
-                                          : "vec4 " + texel_of(unit) + " = ";
+  const std::string result =
+      stage.shadow ? "vec4 " + texel_of(unit) + " = vec4(" : "vec4 " + texel_of(unit) + " = ";
   const std::string end = stage.shadow ? ");" : ";";
   if (!stage.clamp) {
-    w.line(result + (stage.projective && stage.kind != TextureKind::kCube ? "textureProj"
-                                                                          : "texture") +
+    w.line(result +
+           (stage.projective && stage.kind != TextureKind::kCube ? "textureProj" : "texture") +
            "(texture" + i + ", coordinate" + i +
            (stage.projective && stage.kind == TextureKind::kCube ? ".xyz" : "") + bias + ")" + end);
     return;
@@ -153,8 +152,7 @@ std::string combine_argument(const TextureKey& key, const CombineKey& combine, u
     case CombineOperand::kColor: return source + ".rgb";
     case CombineOperand::kOneMinusColor: return "(1.0 - " + source + ".rgb)";
     case CombineOperand::kAlpha: return source + (alpha ? ".a" : ".aaa");
-    case CombineOperand::kOneMinusAlpha:
-      return "(1.0 - " + source + (alpha ? ".a)" : ".aaa)");
+    case CombineOperand::kOneMinusAlpha: return "(1.0 - " + source + (alpha ? ".a)" : ".aaa)");
   }
   return source;
 }
@@ -166,9 +164,7 @@ std::string scaled(const std::string& text, std::uint8_t scale) {
 
 /// GL 2.1 spec tables 3.24, 3.25.
 std::string unscaled(const TextureKey& key, const CombineKey& combine, unsigned unit, bool alpha) {
-  const auto argument = [&](unsigned i) {
-    return combine_argument(key, combine, unit, i, alpha);
-  };
+  const auto argument = [&](unsigned i) { return combine_argument(key, combine, unit, i, alpha); };
   std::string text;
   switch (combine.function) {
     case CombineFunction::kReplace: text = argument(0); break;
@@ -241,8 +237,8 @@ void emit_samplers(Writer& w, const TextureKey& key, Dialect dialect) {
   const std::string precision = dialect == Dialect::kEs300 ? "highp " : "";
   for (unsigned i = 0; i < key.count; ++i)
     if (key.stages[i].kind != TextureKind::kNone)
-      w.line("uniform " + precision + sampler_type(key.stages[i]) + " texture" +
-             std::to_string(i) + ";");
+      w.line("uniform " + precision + sampler_type(key.stages[i]) + " texture" + std::to_string(i) +
+             ";");
 }
 
 void emit_textures(Writer& w, const TextureKey& key, FragmentColors& colors) {

@@ -7,8 +7,8 @@ namespace {
 
 /// What the fragment reads: s and t; r for three dimensions, cube maps and comparison; q.
 unsigned varying_size(const TextureStageKey& stage) {
-  const bool three = stage.kind == TextureKind::k3D || stage.kind == TextureKind::kCube ||
-                     stage.shadow;
+  const bool three =
+      stage.kind == TextureKind::k3D || stage.kind == TextureKind::kCube || stage.shadow;
   return (three ? 3u : 2u) + (stage.projective ? 1u : 0u);
 }
 
@@ -44,7 +44,8 @@ void emit_generation(Writer& w, const TextureKey& key) {
   w.line("vec3 reflected = to_vertex - 2.0 * dot(normal_eye, to_vertex) * normal_eye;");
   if (!sphere) return;
   w.line("vec3 toward = reflected + vec3(0.0, 0.0, 1.0);");
-  w.line("vec2 sphere = reflected.xy * (0.5 * inversesqrt(max(dot(toward, toward), 1e-37))) + 0.5;");
+  w.line(
+      "vec2 sphere = reflected.xy * (0.5 * inversesqrt(max(dot(toward, toward), 1e-37))) + 0.5;");
 }
 
 }  // namespace
@@ -106,9 +107,9 @@ void emit_texture_coordinates(Writer& w, const TextureKey& key) {
     }
     const std::string target = "coordinate" + unit + " = ";
     if (one_dimension && stage.shadow)
-      w.line(target + (stage.projective ? "vec4(" + source + ".x, 0.5 * " + source + ".w, " +
-                                              source + ".zw);"
-                                        : "vec3(" + source + ".x, 0.5, " + source + ".z);"));
+      w.line(target + (stage.projective
+                           ? "vec4(" + source + ".x, 0.5 * " + source + ".w, " + source + ".zw);"
+                           : "vec3(" + source + ".x, 0.5, " + source + ".z);"));
     else if (one_dimension)
       w.line(target + (stage.projective
                            ? "vec3(" + source + ".x, 0.5 * " + source + ".w, " + source + ".w);"

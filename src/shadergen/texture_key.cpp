@@ -16,7 +16,8 @@ std::string describe(const TextureStageKey& stage) {
                      kModes[static_cast<unsigned>(stage.mode)];
   for (unsigned i = 0; i < 4; ++i)
     if (stage.sources[i] != CoordinateSource::kVertex)
-      text += std::string(" ") + "strq"[i] + " " + kSources[static_cast<unsigned>(stage.sources[i])];
+      text +=
+          std::string(" ") + "strq"[i] + " " + kSources[static_cast<unsigned>(stage.sources[i])];
   if (stage.matrix) text += " matrix";
   if (stage.projective) text += " projective";
   if (stage.lod_bias) text += " bias";

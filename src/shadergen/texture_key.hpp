@@ -48,7 +48,7 @@ enum class CombineOperand : std::uint8_t { kColor, kOneMinusColor, kAlpha, kOneM
 /// One half of the combine environment; arguments that the function does not read are zero.
 struct CombineKey {
   CombineFunction function = CombineFunction::kReplace;
-  std::uint8_t scale = 0;  ///< 1, 2 or 4
+  std::uint8_t scale = 0;                 ///< 1, 2 or 4
   std::array<std::uint8_t, 3> sources{};  ///< CombineSource
   std::array<CombineOperand, 3> operands{};
   bool operator==(const CombineKey&) const = default;
@@ -64,11 +64,11 @@ struct TextureStageKey {
   bool matrix = false;      ///< the texture matrix is not the identity
   bool projective = false;  ///< q may differ from 1
   bool lod_bias = false;
-  bool shadow = false;         ///< compares the depth texture with r
-  std::uint8_t clamp = 0;      ///< bits s, t, r: GL_CLAMP, the coordinate stays in [0, 1]
-  bool mipmap = false;         ///< with clamp: levels are chosen before the coordinate is clamped
+  bool shadow = false;     ///< compares the depth texture with r
+  std::uint8_t clamp = 0;  ///< bits s, t, r: GL_CLAMP, the coordinate stays in [0, 1]
+  bool mipmap = false;     ///< with clamp: levels are chosen before the coordinate is clamped
   std::array<CoordinateSource, 4> sources{};  ///< of s, t, r, q
-  CombineKey rgb, alpha;  ///< with TextureMode::kCombine
+  CombineKey rgb, alpha;                      ///< with TextureMode::kCombine
   bool operator==(const TextureStageKey&) const = default;
 
   bool reads_vertex() const {

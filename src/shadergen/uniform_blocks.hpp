@@ -23,8 +23,8 @@ enum UniformBlock : unsigned {
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
-    "Transform", "Lights",  "FrontMaterial", "BackMaterial",
-    "Precise",   "General", "Fragments",     "ClipPlanes", "Textures"};
+    "Transform", "Lights",    "FrontMaterial", "BackMaterial", "Precise",
+    "General",   "Fragments", "ClipPlanes",    "Textures"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};

@@ -48,9 +48,9 @@ auto texture_flag(Unit& unit, GLenum capability) -> decltype(&unit.enabled[0]) {
   return coordinate < 4 ? &unit.texgen.coordinates[coordinate].enabled : nullptr;
 }
 
-constexpr GLenum kTextureEnables[] = {
-    GL_TEXTURE_1D,    GL_TEXTURE_2D,    GL_TEXTURE_3D,    GL_TEXTURE_CUBE_MAP,
-    GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q};
+constexpr GLenum kTextureEnables[] = {GL_TEXTURE_1D,       GL_TEXTURE_2D,    GL_TEXTURE_3D,
+                                      GL_TEXTURE_CUBE_MAP, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T,
+                                      GL_TEXTURE_GEN_R,    GL_TEXTURE_GEN_Q};
 
 void enable_texture(Context& context, bool& flag, bool enabled) {
   if (flag == enabled) return;

@@ -21,9 +21,9 @@ enum class BaseFormat : std::uint8_t {
 /// What an internal format of the application's means, and what the driver stores for it.
 struct TextureFormat {
   BaseFormat base = BaseFormat::kRgba;
-  GLenum core = 0;         ///< sized internal format of OpenGL 3.3; 0: there is no such format
-  GLenum es = 0;           ///< of OpenGL ES 3.0
-  bool compressed = false; ///< asks for compression, which we need not do (3.8.1)
+  GLenum core = 0;          ///< sized internal format of OpenGL 3.3; 0: there is no such format
+  GLenum es = 0;            ///< of OpenGL ES 3.0
+  bool compressed = false;  ///< asks for compression, which we need not do (3.8.1)
 };
 
 /// GL 2.1 spec tables 3.15, 3.16, 3.17. `core` is 0 for what is no internal format.

@@ -22,10 +22,10 @@ struct TextureUnit {
 /// The units that draw, as far as layouts and keys ask: derived from the units, their textures and
 /// matrices.
 struct ActiveTextures {
-  unsigned count = 0;           ///< units up to the highest that draws
-  std::uint8_t mask = 0;        ///< units that draw
-  std::uint8_t from_vertex = 0; ///< of those: units that read the texture coordinates
-  bool reads_normal = false;    ///< a generated coordinate depends on the normal
+  unsigned count = 0;            ///< units up to the highest that draws
+  std::uint8_t mask = 0;         ///< units that draw
+  std::uint8_t from_vertex = 0;  ///< of those: units that read the texture coordinates
+  bool reads_normal = false;     ///< a generated coordinate depends on the normal
   std::array<TextureObject*, kMaxTextureUnits> textures{};
 };
 

@@ -26,8 +26,8 @@ struct Texels {
 };
 
 /// `count` pixels in the application's memory to colours, four floats each; a component that the
-/// format lacks is 0, alpha 1; luminance goes to red, green and blue (GL 2.1 spec 3.6.4, "Conversion
-/// to RGB"). The depth of GL_DEPTH_COMPONENT goes to red.
+/// format lacks is 0, alpha 1; luminance goes to red, green and blue (GL 2.1 spec 3.6.4,
+/// "Conversion to RGB"). The depth of GL_DEPTH_COMPONENT goes to red.
 void unpack_colors(const std::byte* pixels, std::size_t count, GLenum format, GLenum type,
                    bool swap_bytes, float* rgba);
 

@@ -76,8 +76,8 @@ TEST_P(SceneConformance, Rgba8WithinOneStep) { compare_in(PixelFormat::rgba8, 1.
 TEST_P(SceneConformance, FloatColorsWithinFiftiethOfAStep) {
   // Where texels are filtered the two interpolate coordinates, and with them weights, of which
   // llvmpipe keeps 8 bits.
-  compare_in(PixelFormat::rgba32f,
-             GetParam().scene->traits.filtered ? 1.0F + float_tolerance_steps : float_tolerance_steps);
+  compare_in(PixelFormat::rgba32f, GetParam().scene->traits.filtered ? 1.0F + float_tolerance_steps
+                                                                     : float_tolerance_steps);
 }
 
 INSTANTIATE_TEST_SUITE_P(core_330, SceneConformance,

@@ -7,9 +7,7 @@ namespace legacy_gl::test {
 
 namespace {
 
-void use_default_texture(const GlFunctions& gl) {
-  use_texture(gl, GL_RGBA, GL_LINEAR, GL_LINEAR);
-}
+void use_default_texture(const GlFunctions& gl) { use_texture(gl, GL_RGBA, GL_LINEAR, GL_LINEAR); }
 
 void generate(const GlFunctions& gl, GLenum coordinate, GLenum mode) {
   gl.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, static_cast<GLint>(mode));
@@ -98,8 +96,7 @@ void add_targets(std::vector<Scene>& scenes) {
                         draw_textured_quad(gl);
                       },
                       {.filtered = true}});
-  scenes.push_back({"two_dimensions_win",
-                    [](const GlFunctions& gl) {
+  scenes.push_back({"two_dimensions_win", [](const GlFunctions& gl) {
                       begin_flat_scene(gl);
                       use_texture_1d(gl, GL_RGBA, GL_NEAREST);
                       use_texture(gl, GL_RGB, GL_NEAREST, GL_NEAREST);
@@ -122,12 +119,11 @@ void add_targets(std::vector<Scene>& scenes) {
                       gl.End();
                     },
                     {.filtered = true}});
-  scenes.push_back({"incomplete_is_off",
-                    [](const GlFunctions& gl) {
+  scenes.push_back({"incomplete_is_off", [](const GlFunctions& gl) {
                       begin_flat_scene(gl);
                       gl.BindTexture(GL_TEXTURE_2D, 3);
-                      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 16, 16, 0, GL_RGBA,
-                                    GL_UNSIGNED_BYTE, texture_colors(16, 16).data());
+                      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                                    texture_colors(16, 16).data());
                       gl.Enable(GL_TEXTURE_2D);  // the initial filter asks for levels
                       draw_textured_quad(gl);
                     }});
@@ -258,10 +254,10 @@ void add_sources(std::vector<Scene>& scenes) {
                           begin_flat_scene(gl);
                           use_default_texture(gl);
                           gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-                          static const GLfloat data[] = {
-                              0.1F, 0.1F, 0,    1,    -0.9F, -0.9F, 0, 0.9F, 0.2F, 0.3F,
-                              1.2F, 0.9F, -0.8F, 0,    0.2F,  0.9F,  0, 0.8F, -0.8F, 0.9F,
-                              0,    0.9F, 0.8F, 0.5F, 1.3F,  0.9F,  0.8F, 0};
+                          static const GLfloat data[] = {0.1F, 0.1F, 0,    1,    -0.9F, -0.9F, 0,
+                                                         0.9F, 0.2F, 0.3F, 1.2F, 0.9F,  -0.8F, 0,
+                                                         0.2F, 0.9F, 0,    0.8F, -0.8F, 0.9F,  0,
+                                                         0.9F, 0.8F, 0.5F, 1.3F, 0.9F,  0.8F,  0};
                           const auto* base = reinterpret_cast<const GLubyte*>(data);
                           if (in_buffer) {
                             gl.BindBuffer(GL_ARRAY_BUFFER, 1);

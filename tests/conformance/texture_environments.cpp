@@ -12,11 +12,16 @@ struct Named {
   GLenum value;
 };
 
-constexpr Named kBases[] = {{"alpha", GL_ALPHA},         {"luminance", GL_LUMINANCE},
-                            {"la", GL_LUMINANCE_ALPHA},  {"intensity", GL_INTENSITY},
-                            {"rgb", GL_RGB},             {"rgba", GL_RGBA}};
-constexpr Named kModes[] = {{"modulate", GL_MODULATE}, {"replace", GL_REPLACE},
-                            {"decal", GL_DECAL},       {"blend", GL_BLEND},
+constexpr Named kBases[] = {{"alpha", GL_ALPHA},
+                            {"luminance", GL_LUMINANCE},
+                            {"la", GL_LUMINANCE_ALPHA},
+                            {"intensity", GL_INTENSITY},
+                            {"rgb", GL_RGB},
+                            {"rgba", GL_RGBA}};
+constexpr Named kModes[] = {{"modulate", GL_MODULATE},
+                            {"replace", GL_REPLACE},
+                            {"decal", GL_DECAL},
+                            {"blend", GL_BLEND},
                             {"add", GL_ADD}};
 
 void set_environment(const GlFunctions& gl, GLenum mode) {
@@ -27,13 +32,13 @@ void set_environment(const GlFunctions& gl, GLenum mode) {
 void add_environments(std::vector<Scene>& scenes) {
   for (const Named& mode : kModes)
     for (const Named& base : kBases)
-      scenes.push_back({std::string("env_") + mode.name + "_" + base.name,
-                        [=](const GlFunctions& gl) {
-                          begin_flat_scene(gl);
-                          use_texture(gl, static_cast<GLint>(base.value), GL_NEAREST, GL_NEAREST);
-                          set_environment(gl, mode.value);
-                          draw_textured_quad(gl);
-                        }});
+      scenes.push_back(
+          {std::string("env_") + mode.name + "_" + base.name, [=](const GlFunctions& gl) {
+             begin_flat_scene(gl);
+             use_texture(gl, static_cast<GLint>(base.value), GL_NEAREST, GL_NEAREST);
+             set_environment(gl, mode.value);
+             draw_textured_quad(gl);
+           }});
 }
 
 struct Combination {
@@ -43,14 +48,46 @@ struct Combination {
 };
 
 constexpr Combination kCombinations[] = {
-    {"replace", GL_REPLACE, {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, {GL_ONE_MINUS_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}, 1},
-    {"modulate", GL_MODULATE, {GL_TEXTURE, GL_PRIMARY_COLOR, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}, 2},
-    {"add", GL_ADD, {GL_TEXTURE, GL_CONSTANT, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_ALPHA, GL_SRC_ALPHA}, 1},
-    {"add_signed", GL_ADD_SIGNED, {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}, 2},
-    {"interpolate", GL_INTERPOLATE, {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, {GL_SRC_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_COLOR}, 1},
-    {"subtract", GL_SUBTRACT, {GL_PREVIOUS, GL_TEXTURE, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}, 4},
-    {"dot3_rgb", GL_DOT3_RGB, {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}, 1},
-    {"dot3_rgba", GL_DOT3_RGBA, {GL_TEXTURE, GL_CONSTANT, GL_CONSTANT}, {GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA}, 2},
+    {"replace",
+     GL_REPLACE,
+     {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+     {GL_ONE_MINUS_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+     1},
+    {"modulate",
+     GL_MODULATE,
+     {GL_TEXTURE, GL_PRIMARY_COLOR, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+     2},
+    {"add",
+     GL_ADD,
+     {GL_TEXTURE, GL_CONSTANT, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_SRC_ALPHA, GL_SRC_ALPHA},
+     1},
+    {"add_signed",
+     GL_ADD_SIGNED,
+     {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+     2},
+    {"interpolate",
+     GL_INTERPOLATE,
+     {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_COLOR},
+     1},
+    {"subtract",
+     GL_SUBTRACT,
+     {GL_PREVIOUS, GL_TEXTURE, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+     4},
+    {"dot3_rgb",
+     GL_DOT3_RGB,
+     {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+     1},
+    {"dot3_rgba",
+     GL_DOT3_RGBA,
+     {GL_TEXTURE, GL_CONSTANT, GL_CONSTANT},
+     {GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA},
+     2},
 };
 
 void set_combination(const GlFunctions& gl, const Combination& c) {
@@ -117,25 +154,24 @@ void add_wraps(std::vector<Scene>& scenes) {
   for (const Named& wrap : kWraps)
     for (const Named& filter : {kFilters[0], kFilters[1], kFilters[3]})
       for (const Named& base : {kBases[0], kBases[2], kBases[5]})
-        scenes.push_back(
-            {std::string("wrap_") + wrap.name + "_" + filter.name + "_" + base.name,
-             [=](const GlFunctions& gl) {
-               begin_flat_scene(gl);
-               use_texture(gl, static_cast<GLint>(base.value), filter.value,
-                           filter.value == GL_NEAREST ? GL_NEAREST : GL_LINEAR);
-               const auto mode = static_cast<GLint>(wrap.value);
-               gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
-               gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
-               gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR,
-                                 vec(0.9F, 0.1F, 0.6F, 0.3F));
-               gl.Begin(GL_QUADS);
-               textured_vertex(gl, -0.9F, -1.2F, -0.9F, -0.9F);
-               textured_vertex(gl, 1.9F, -1.3F, 0.9F, -0.8F);
-               textured_vertex(gl, 2.1F, 2.3F, 0.9F, 0.9F);
-               textured_vertex(gl, -1.1F, 1.8F, -0.8F, 0.9F);
-               gl.End();
-             },
-             {.filtered = true}});
+        scenes.push_back({std::string("wrap_") + wrap.name + "_" + filter.name + "_" + base.name,
+                          [=](const GlFunctions& gl) {
+                            begin_flat_scene(gl);
+                            use_texture(gl, static_cast<GLint>(base.value), filter.value,
+                                        filter.value == GL_NEAREST ? GL_NEAREST : GL_LINEAR);
+                            const auto mode = static_cast<GLint>(wrap.value);
+                            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
+                            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
+                            gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR,
+                                              vec(0.9F, 0.1F, 0.6F, 0.3F));
+                            gl.Begin(GL_QUADS);
+                            textured_vertex(gl, -0.9F, -1.2F, -0.9F, -0.9F);
+                            textured_vertex(gl, 1.9F, -1.3F, 0.9F, -0.8F);
+                            textured_vertex(gl, 2.1F, 2.3F, 0.9F, 0.9F);
+                            textured_vertex(gl, -1.1F, 1.8F, -0.8F, 0.9F);
+                            gl.End();
+                          },
+                          {.filtered = true}});
 }
 
 // Six formats that OpenGL ES has no storage for are held in 8 bits there: 12 and 16 bits.
