@@ -211,6 +211,7 @@ std::vector<Scene> bitmap_scenes() {
       {"lit",
        [](const GlFunctions& gl) {
          begin_lit_scene(gl);
+         gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
          for (int i = 0; i < 10; ++i) {
            const float at = 0.22F * static_cast<float>(i) - 1;
            gl.Normal3f(at, 0.4F, 0.8F);

@@ -10,7 +10,8 @@ namespace legacy_gl::test {
 namespace {
 
 constexpr int kSize = 64;
-constexpr GLubyte kBits[8] = {0xff, 0x81, 0x81, 0x81, 0x81, 0x81, 0x81, 0xff};
+// Rows of four bytes: the initial alignment.
+constexpr GLubyte kBits[8 * 4] = {0xff, 0x81, 0x81, 0x81, 0x81, 0x81, 0x81, 0xff};
 
 struct RasterState {
   std::array<GLfloat, 4> position{}, color{}, texture{};
