@@ -133,7 +133,7 @@ std::string combine_source(const TextureKey& key, std::uint8_t source, unsigned 
   const unsigned other = source - static_cast<unsigned>(CombineSource::kTexture0);
   if (other >= key.count || key.stages[other].kind == TextureKind::kNone) return "vec4(0.0)";
   const TextureBase base = key.stages[other].base;
-  const std::string texel = texel_of(other);
+  std::string texel = texel_of(other);
   switch (base) {
     case TextureBase::kAlpha: return "vec4(vec3(0.0), " + texel + ".r)";
     case TextureBase::kLuminance: return "vec4(" + texel + ".rrr, 1.0)";
