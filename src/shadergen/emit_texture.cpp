@@ -147,7 +147,7 @@ std::string combine_source(const TextureKey& key, std::uint8_t source, unsigned 
 
 std::string combine_argument(const TextureKey& key, const CombineKey& combine, unsigned unit,
                              unsigned argument, bool alpha) {
-  const std::string source = combine_source(key, combine.sources[argument], unit);
+  std::string source = combine_source(key, combine.sources[argument], unit);
   switch (combine.operands[argument]) {
     case CombineOperand::kColor: return source + ".rgb";
     case CombineOperand::kOneMinusColor: return "(1.0 - " + source + ".rgb)";
