@@ -11,6 +11,7 @@
 
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
+#include "support/shared_context.hpp"
 
 namespace legacy_gl::test {
 
@@ -49,11 +50,11 @@ Image render(RenderContext& context, const Draw& draw) {
 }
 
 CoreContext& ours() {
-  static CoreContext context(kSize, kSize);
+  static auto& context = make_shared_context<CoreContext>(kSize, kSize);
   return context;
 }
 MesaContext& mesa() {
-  static MesaContext context(kSize, kSize);
+  static auto& context = make_shared_context<MesaContext>(kSize, kSize);
   return context;
 }
 

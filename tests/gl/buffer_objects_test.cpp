@@ -9,6 +9,7 @@
 
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
+#include "support/shared_context.hpp"
 
 namespace legacy_gl::test {
 
@@ -37,15 +38,15 @@ std::vector<Vertex> fan(unsigned count) {
 }
 
 CoreContext& core() {
-  static CoreContext context(kSize, kSize);
+  static auto& context = make_shared_context<CoreContext>(kSize, kSize);
   return context;
 }
 MesaContext& mesa() {
-  static MesaContext context(kSize, kSize);
+  static auto& context = make_shared_context<MesaContext>(kSize, kSize);
   return context;
 }
 GlesContext& gles() {
-  static GlesContext context(kSize, kSize);
+  static auto& context = make_shared_context<GlesContext>(kSize, kSize);
   return context;
 }
 

@@ -11,6 +11,7 @@
 #include "gl/error_cases.hpp"
 #include "gl/state_snapshot.hpp"
 #include "support/contexts.hpp"
+#include "support/shared_context.hpp"
 
 namespace legacy_gl::test {
 
@@ -27,12 +28,12 @@ std::string hex(GLenum code) {
 // Made once: starting Mesa costs more than a hundred cases. Each test asks for OpenGL's initial
 // state.
 CoreContext& ours() {
-  static CoreContext context(kSize, kSize);
+  static auto& context = make_shared_context<CoreContext>(kSize, kSize);
   context.recreate();
   return context;
 }
 MesaContext& mesa() {
-  static MesaContext context(kSize, kSize);
+  static auto& context = make_shared_context<MesaContext>(kSize, kSize);
   context.recreate();
   return context;
 }

@@ -5,17 +5,18 @@
 #include <cctype>
 #include <cstdio>
 #include <map>
-#include <memory>
 #include <string>
 
 #include "oracle/sampler.hpp"
 #include "support/contexts.hpp"
+#include "support/shared_context.hpp"
 
 namespace oracle {
 namespace {
 
 using legacy_gl::test::CoreContext;
 using legacy_gl::test::Image;
+using legacy_gl::test::make_shared_context;
 using legacy_gl::test::MesaContext;
 using legacy_gl::test::PixelFormat;
 using legacy_gl::test::RenderContext;
@@ -44,21 +45,17 @@ ErrorStatistics measure(RenderContext& context, const LightingClass& lighting_cl
 constexpr int width = tiles_across * batch_side;
 
 RenderContext& mesa() {
-  static MesaContext context(width, width, PixelFormat::rgba32f);
+  static auto& context = make_shared_context<MesaContext>(width, width, PixelFormat::rgba32f);
   return context;
 }
 
-std::map<legacy_gl_quality, std::unique_ptr<CoreContext>>& our_contexts() {
-  static std::map<legacy_gl_quality, std::unique_ptr<CoreContext>> contexts;
-  return contexts;
-}
-
 RenderContext& ours(legacy_gl_quality quality) {
-  auto& context = our_contexts()[quality];
-  if (!context) {
+  static std::map<legacy_gl_quality, CoreContext*> contexts;
+  CoreContext*& context = contexts[quality];
+  if (context == nullptr) {
     legacy_gl_options options = {};
     options.quality = quality;
-    context = std::make_unique<CoreContext>(width, width, PixelFormat::rgba32f, options);
+    context = &make_shared_context<CoreContext>(width, width, PixelFormat::rgba32f, options);
   }
   return *context;
 }
@@ -70,11 +67,7 @@ void report(const char* who, const LightingClass& lighting_class, const ErrorSta
               error.worst_batch, error.worst_vertex);
 }
 
-class Accuracy : public testing::TestWithParam<LightingClass> {
- protected:
-  // Not at exit: softpipe's own state is gone by then.
-  static void TearDownTestSuite() { our_contexts().clear(); }
-};
+class Accuracy : public testing::TestWithParam<LightingClass> {};
 
 TEST_P(Accuracy, MesaAgreesWithTheOracle) {
   const ErrorStatistics error = measure(mesa(), GetParam());

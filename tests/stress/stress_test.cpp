@@ -8,16 +8,17 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <memory>
 
 #include "oracle/single_vertex.hpp"
 #include "stress/stress_classes.hpp"
+#include "support/shared_context.hpp"
 
 namespace oracle {
 namespace {
 
 using legacy_gl::test::CoreContext;
 using legacy_gl::test::GlesContext;
+using legacy_gl::test::make_shared_context;
 using legacy_gl::test::MesaContext;
 using legacy_gl::test::PixelFormat;
 using legacy_gl::test::RenderContext;
@@ -83,12 +84,12 @@ void print(const char* who, const StressClass& stress_class, const Outcome& outc
 
 template <class Context>
 RenderContext& of_quality(legacy_gl_quality quality) {
-  static std::map<legacy_gl_quality, std::unique_ptr<Context>> contexts;
-  auto& context = contexts[quality];
-  if (!context) {
+  static std::map<legacy_gl_quality, Context*> contexts;
+  Context*& context = contexts[quality];
+  if (context == nullptr) {
     legacy_gl_options options = {};
     options.quality = quality;
-    context = std::make_unique<Context>(size, size, PixelFormat::rgba32f, options);
+    context = &make_shared_context<Context>(size, size, PixelFormat::rgba32f, options);
   }
   return *context;
 }
@@ -104,7 +105,7 @@ void expect_calm(const StressClass& stress_class, const Outcome& outcome) {
 }
 
 TEST_P(Stress, MesaForComparison) {
-  static MesaContext mesa(size, size, PixelFormat::rgba32f);
+  static auto& mesa = make_shared_context<MesaContext>(size, size, PixelFormat::rgba32f);
   print("Mesa", GetParam(), run(mesa, GetParam()));
 }
 
