@@ -48,8 +48,13 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglBitmap(GLsizei width, GLsizei height, G
   const Origin origin{xorig, yorig}, move{xmove, ymove};
   const BitmapImage* const none = nullptr;
   if (!width || !height || !pixels) return dispatch<bitmap>(none, origin, move);
-  const auto image =
-      std::make_shared<const BitmapImage>(unpack_bitmap(c->unpack, width, height, pixels));
+  if (!c->lists.compiling) {
+    unpack_bitmap(c->unpack, width, height, pixels, c->bitmap_scratch);
+    return bitmap(*c, &c->bitmap_scratch, origin, move);
+  }
+  const auto image = std::make_shared<BitmapImage>();
+  unpack_bitmap(c->unpack, width, height, pixels, *image);
   c->lists.keep(image);
-  dispatch<bitmap>(image.get(), origin, move);
+  const BitmapImage* const kept = image.get();
+  dispatch<bitmap>(kept, origin, move);
 }

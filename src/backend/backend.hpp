@@ -117,6 +117,7 @@ class Backend {
   GLuint bound_program_ = 0;
   GLuint bound_array_ = 0;
   std::vector<std::uint32_t> index_scratch_;
+  std::vector<std::uint32_t> element_scratch_;
   std::vector<float> float_scratch_;
   std::vector<std::byte> block_scratch_;
   ExpandedBatch unfilled_scratch_;

@@ -31,9 +31,10 @@ std::optional<Bitmaps::Slot> Bitmaps::take_room(GLsizei width, GLsizei height) {
 }
 
 std::optional<Bitmaps::Slot> Bitmaps::find_or_store(const BitmapImage& image) {
-  std::string key = image.bits;
-  key += ' ' + std::to_string(image.width) + 'x' + std::to_string(image.height);
-  if (const auto at = slots_.find(key); at != slots_.end()) return at->second;
+  key_.assign(image.bits);
+  for (const GLsizei side : {image.width, image.height})
+    key_.append(reinterpret_cast<const char*>(&side), sizeof side);
+  if (const auto at = slots_.find(key_); at != slots_.end()) return at->second;
   const std::optional<Slot> slot = take_room(image.width, image.height);
   if (!slot) return {};
   texels_.resize(std::size_t{kSide} * kSide);
@@ -47,7 +48,7 @@ std::optional<Bitmaps::Slot> Bitmaps::find_or_store(const BitmapImage& image) {
     }
   changed_from_ = std::min(changed_from_, slot->y);
   changed_to_ = std::max(changed_to_, slot->y + image.height);
-  slots_.emplace(std::move(key), *slot);
+  slots_.emplace(key_, *slot);
   return slot;
 }
 

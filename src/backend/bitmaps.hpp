@@ -49,6 +49,7 @@ class Bitmaps {
   std::vector<unsigned char> texels_;              ///< 0 or 255
   GLsizei changed_from_ = kSide, changed_to_ = 0;  ///< rows that the driver does not have
   std::unordered_map<std::string, Slot> slots_;
+  std::string key_;  ///< of the bitmap that is looked for
   GLsizei shelf_y_ = 0, shelf_height_ = 0, shelf_x_ = 0;
   std::vector<float> vertices_;
 };

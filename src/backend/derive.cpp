@@ -161,11 +161,12 @@ std::uint8_t widest_kind(std::uint8_t kind) {
 }
 
 /// Directional lights, then point lights, then spots: a general program treats each class in turn.
-/// Within a class equal kinds are neighbours.
+/// Within a class equal kinds are neighbours, and within a kind lights keep their order.
 bool by_kind(const ActiveLight& a, const ActiveLight& b) {
   const unsigned class_a = a.kind & (kLightPoint | kLightSpot);
   const unsigned class_b = b.kind & (kLightPoint | kLightSpot);
-  return class_a != class_b ? class_a < class_b : a.kind > b.kind;
+  if (class_a != class_b) return class_a < class_b;
+  return a.kind != b.kind ? a.kind > b.kind : a.index < b.index;
 }
 
 }  // namespace
@@ -383,7 +384,7 @@ void Derived::choose_lights(Context& context) {
     if (ambient || diffuse || specular) active_.push_back(active);
     else ++context.statistics.lights_skipped;
   }
-  std::stable_sort(active_.begin(), active_.end(), by_kind);
+  std::sort(active_.begin(), active_.end(), by_kind);
 
   constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
   const auto build_runs = [&] {
@@ -402,7 +403,7 @@ void Derived::choose_lights(Context& context) {
   };
   if (!build_runs()) {
     for (ActiveLight& light : active_) light.kind = widest_kind(light.kind);
-    std::stable_sort(active_.begin(), active_.end(), by_kind);
+    std::sort(active_.begin(), active_.end(), by_kind);
     build_runs();
   }
 

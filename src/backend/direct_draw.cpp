@@ -140,12 +140,12 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
   const void* offset = draw.elements;
   if (!native) {
     ReadableArrays readable(context);
-    const std::vector<std::uint32_t> named =
-        draw.is_indexed() ? read_elements(readable.elements(draw)) : std::vector<std::uint32_t>();
+    element_scratch_.clear();
+    if (draw.is_indexed()) read_elements(readable.elements(draw), element_scratch_);
     const auto available =
-        draw.is_indexed() ? static_cast<std::uint32_t>(named.size()) : draw.count;
+        draw.is_indexed() ? static_cast<std::uint32_t>(element_scratch_.size()) : draw.count;
     index_scratch_.clear();
-    append_indices({draw.mode, draw.first, available, draw.is_indexed()}, named, 0,
+    append_indices({draw.mode, draw.first, available, draw.is_indexed()}, element_scratch_, 0,
                    derived_.key.flat, index_scratch_);
     count = static_cast<GLsizei>(index_scratch_.size());
     type = GL_UNSIGNED_INT;

@@ -90,11 +90,11 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
     driver.DrawElementsBaseVertex(mode, static_cast<GLsizei>(elements.count), elements.type, offset,
                                   static_cast<GLint>(shift));
   } else if (draw.is_indexed() || !draws_without_indices(draw.mode)) {
-    const std::vector<std::uint32_t> named =
-        draw.is_indexed() ? read_elements(elements) : std::vector<std::uint32_t>();
+    element_scratch_.clear();
+    if (draw.is_indexed()) read_elements(elements, element_scratch_);
     const std::uint32_t count = draw.is_indexed() ? elements.count : draw.count;
     index_scratch_.clear();
-    append_indices({draw.mode, draw.first, count, draw.is_indexed()}, named, shift,
+    append_indices({draw.mode, draw.first, count, draw.is_indexed()}, element_scratch_, shift,
                    derived_.key.flat, index_scratch_);
     const void* const offset = write_indices(context, index_scratch_.data(),
                                              index_scratch_.size() * sizeof(std::uint32_t));

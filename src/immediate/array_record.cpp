@@ -152,7 +152,8 @@ void record_elements(Context& context, const ArrayViews& views, GLenum mode,
                      const ElementView& elements) {
   const std::uint32_t count = whole_primitives(mode, elements.count);
   if (count == 0 || !views[kVertexArray].data) return;
-  std::vector<std::uint32_t> indices = read_elements({elements.data, elements.type, count});
+  std::vector<std::uint32_t> indices;
+  read_elements({elements.data, elements.type, count}, indices);
   const ElementRange range = element_range({elements.data, elements.type, count});
   const bool shared = worth_indexing(range, count) && range.highest < views[kVertexArray].readable;
   if (shared) {

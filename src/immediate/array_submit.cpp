@@ -29,11 +29,10 @@ void with_elements(const ElementView& elements, Visit visit) {
 
 }  // namespace
 
-std::vector<std::uint32_t> read_elements(const ElementView& elements) {
-  std::vector<std::uint32_t> values(elements.count);
+void read_elements(const ElementView& elements, std::vector<std::uint32_t>& values) {
+  values.resize(elements.count);
   with_elements(elements,
                 [&values](std::uint32_t i, std::uint32_t element) { values[i] = element; });
-  return values;
 }
 
 ElementRange element_range(const ElementView& elements) {

@@ -14,7 +14,7 @@ struct ElementView {
   std::uint32_t count = 0;
 };
 
-std::vector<std::uint32_t> read_elements(const ElementView& elements);
+void read_elements(const ElementView& elements, std::vector<std::uint32_t>& values);
 
 struct ElementRange {
   std::uint32_t lowest = 0, highest = 0;

@@ -363,13 +363,18 @@ std::uint32_t* Recorder::append_elements(Context& context, GLenum mode, std::uin
 void Recorder::widen(const Context& context, const VertexLayout& layout) {
   const std::uint32_t count = vertex_count();
   const VertexOffsets old = offsets_;
-  const std::unique_ptr<float[]> narrow = std::move(storage_);
   const VertexOffsets wide = offsets_of(layout);
-  capacity_floats_ = std::max(capacity_floats_, 2 * std::size_t{count + 4} * wide.stride);
-  storage_.reset(new float[capacity_floats_ + kSlackFloats]);
+  const std::size_t wanted =
+      std::max(capacity_floats_, 2 * std::size_t{count + 4} * wide.stride);
+  std::swap(storage_, spare_);
+  std::swap(capacity_floats_, spare_floats_);
+  if (capacity_floats_ < wanted) {
+    storage_.reset(new float[wanted + kSlackFloats]);
+    capacity_floats_ = wanted;
+  }
   const unsigned old_rest = old.stride - old.position_size;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const float* const from = narrow.get() + std::size_t{i} * old.stride;
+    const float* const from = spare_.get() + std::size_t{i} * old.stride;
     float* const to = storage_.get() + std::size_t{i} * wide.stride;
     // New fields take the values of now; the old ones then overwrite their own.
     put_fields(context, layout, to + wide.position_size);

@@ -159,6 +159,8 @@ class Recorder {
   std::uint32_t first_ = 0;
   std::unique_ptr<float[]> storage_;
   std::size_t capacity_floats_ = 0;
+  std::unique_ptr<float[]> spare_;  ///< what the vertices are moved to when they are widened
+  std::size_t spare_floats_ = 0;
   std::vector<PrimitiveRun> runs_;
   std::vector<std::uint32_t> elements_;
 };

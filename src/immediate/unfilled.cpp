@@ -116,12 +116,12 @@ class Expander {
 
  private:
   void transform_vertices() {
-    clip_.resize(batch_.vertex_count);
+    out_.clip.resize(batch_.vertex_count);
     const glm::mat4& m = state_.modelview_projection;
     for (std::uint32_t i = 0; i < batch_.vertex_count; ++i) {
       const float* const p = batch_.vertices + std::size_t{i} * from_.stride;
       const float w = from_.position_size == 4 ? p[3] : 1;
-      clip_[i] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3] * w;
+      out_.clip[i] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3] * w;
     }
   }
 
@@ -139,8 +139,8 @@ class Expander {
   /// that what the window cannot show has no area; the homogeneous form serves vertices behind the
   /// eye.
   double facing(const Triangle& triangle) const {
-    const glm::vec4 &a = clip_[triangle.vertex[0]], &b = clip_[triangle.vertex[1]],
-                    &c = clip_[triangle.vertex[2]];
+    const glm::vec4 &a = out_.clip[triangle.vertex[0]], &b = out_.clip[triangle.vertex[1]],
+                    &c = out_.clip[triangle.vertex[2]];
     double area = 0;
     if (a.w > 0 && b.w > 0 && c.w > 0) {
       const glm::vec2 e = window(a) - window(c), f = window(b) - window(c);
@@ -156,7 +156,7 @@ class Expander {
     std::array<glm::dvec4, 3> window;  // homogeneous
     const ViewportState& viewport = state_.viewport;
     for (unsigned i = 0; i < 3; ++i) {
-      const glm::dvec4 clip(clip_[triangle.vertex[i]]);
+      const glm::dvec4 clip(out_.clip[triangle.vertex[i]]);
       window[i] = {clip.x * viewport.box[2] / 2, clip.y * viewport.box[3] / 2,
                    clip.z * (viewport.depth_far - viewport.depth_near) / 2, clip.w};
     }
@@ -178,7 +178,7 @@ class Expander {
   float clamped_offset(std::uint32_t vertex, double offset) const {
     const ViewportState& viewport = state_.viewport;
     const double range = (viewport.depth_far - viewport.depth_near) / 2;
-    const glm::vec4& clip = clip_[vertex];
+    const glm::vec4& clip = out_.clip[vertex];
     if (range == 0) return 0;
     const double moved = offset / range;
     if (!(clip.w > 0) || std::abs(clip.z) > clip.w) return static_cast<float>(moved);
@@ -263,7 +263,6 @@ class Expander {
   std::array<bool, 2> culls_{}, offset_{};
   bool needs_facing_ = false;
   glm::vec2 half_size_{1}, center_{0};  ///< of the viewport, in window coordinates
-  std::vector<glm::vec4> clip_;
 };
 
 }  // namespace

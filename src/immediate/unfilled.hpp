@@ -48,6 +48,7 @@ struct ExpandedBatch {
   std::vector<float> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<PrimitiveGroup> groups;
+  std::vector<glm::vec4> clip;  ///< the batch's positions in clip coordinates, while it is expanded
 };
 
 /// Whether a primitive of this mode is made of polygons.

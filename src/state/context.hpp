@@ -18,6 +18,7 @@
 #include "state/dirty.hpp"
 #include "state/fog.hpp"
 #include "state/raster.hpp"
+#include "texture/bitmap_image.hpp"
 #include "texture/texture_state.hpp"
 
 namespace legacy_gl {
@@ -61,6 +62,7 @@ struct legacy_gl_context {
   legacy_gl::AttributeStacks attribute_stacks;
   legacy_gl::ListState lists;
   bool color_sum_enabled = false;
+  legacy_gl::BitmapImage bitmap_scratch;  ///< of the call that is executed
   bool bitmaps_pending = false;  ///< the backend has bitmaps that are not drawn yet
   unsigned active_texture = 0;   ///< unit that glMatrixMode(GL_TEXTURE) and its like address
   unsigned client_active_texture = 0;

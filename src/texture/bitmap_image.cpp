@@ -26,14 +26,15 @@ BitmapImage BitmapImage::part(GLsizei x, GLsizei y, GLsizei part_width, GLsizei 
   return image;
 }
 
-BitmapImage unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height,
-                          const GLubyte* pixels) {
-  BitmapImage image{width, height, {}};
+void unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height, const GLubyte* pixels,
+                   BitmapImage& image) {
+  image.width = width;
+  image.height = height;
   const auto size = [](GLint value) { return static_cast<std::size_t>(value); };
   const std::size_t bits_in_row = size(store.row_length > 0 ? store.row_length : width);
   const std::size_t alignment = size(store.alignment);
   const std::size_t stride = (bits_in_row + 8 * alignment - 1) / (8 * alignment) * alignment;
-  image.bits.resize(image.row_bytes() * size(height));
+  image.bits.assign(image.row_bytes() * size(height), 0);
   for (std::size_t y = 0; y < size(height); ++y) {
     const GLubyte* const row = pixels + (size(store.skip_rows) + y) * stride;
     for (std::size_t x = 0; x < size(width); ++x) {
@@ -44,7 +45,6 @@ BitmapImage unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height
       byte = static_cast<char>(static_cast<unsigned char>(byte) | 0x80u >> (x % 8));
     }
   }
-  return image;
 }
 
 }  // namespace legacy_gl

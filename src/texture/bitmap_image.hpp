@@ -17,7 +17,7 @@ struct BitmapImage {
 };
 
 /// From the application's memory (GL 2.1 spec 3.6.4, 3.7).
-BitmapImage unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height,
-                          const GLubyte* pixels);
+void unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height, const GLubyte* pixels,
+                   BitmapImage& image);
 
 }  // namespace legacy_gl
