@@ -70,12 +70,18 @@ typedef struct legacy_gl_options {
   legacy_gl_programs programs;
   legacy_gl_context* share; /**< display lists and textures are shared with this context, textures
                               as far as the two driver contexts share objects; NULL: with none */
+  /** Where compiled programs are kept for the next run; NULL: nowhere. Made if it is missing. A
+   * file there that is damaged, of another driver or of another version is ignored. The text is
+   * copied. */
+  const char* cache_directory;
+  size_t cache_bytes; /**< what all files there may take, the oldest go first; 0: 32 MiB */
 } legacy_gl_options;
 
 /** Counters since creation or the last reset. Sizes in bytes. */
 typedef struct legacy_gl_statistics {
   uint64_t programs_generated; /**< program variants turned into GLSL text */
   uint64_t programs_compiled;  /**< programs compiled and linked by the driver */
+  uint64_t programs_loaded;    /**< programs taken from the cache directory */
   uint64_t general_draws;      /**< draws that a general program stood in for */
   uint64_t program_switches;
   uint64_t draws;    /**< draw calls handed to the driver */
@@ -129,6 +135,16 @@ LEGACY_GL_API void legacy_gl_reset_statistics(void);
  * current state draws with. Writes at most `size` bytes with the closing 0, returns the length that
  * the whole text has. */
 LEGACY_GL_API size_t legacy_gl_get_program_source(char* text, size_t size);
+
+/** The keys of the programs that this context has drawn with, as text of one line each: what
+ * legacy_gl_precompile takes in a later run. Writes at most `size` bytes with the closing 0,
+ * returns the length that the whole text has. */
+LEGACY_GL_API size_t legacy_gl_get_program_keys(char* text, size_t size);
+
+/** Compiles (or loads from the cache directory) the programs of such a text now, so that no draw
+ * has to. Returns how many keys of the text are ready. Keys of another version of this library, and
+ * whatever else is not a key, are passed over. */
+LEGACY_GL_API size_t legacy_gl_precompile(const char* keys, size_t length);
 
 /** The status in words, e.g. "the driver is too old". */
 LEGACY_GL_API const char* legacy_gl_status_string(legacy_gl_status status);

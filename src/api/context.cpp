@@ -29,6 +29,16 @@ legacy_gl_status fail(legacy_gl_status status, std::string detail) {
   return status;
 }
 
+/// As much of `whole` as fits, with a closing 0; the length that all of it has.
+std::size_t give(const std::string& whole, char* text, std::size_t size) {
+  if (text && size) {
+    const std::size_t count = std::min(size - 1, whole.size());
+    std::memcpy(text, whole.data(), count);
+    text[count] = 0;
+  }
+  return whole.size();
+}
+
 legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& options,
                         std::unique_ptr<Context>& context) {
   if (!loader) return fail(LEGACY_GL_INVALID_ARGUMENT, "the loader is NULL");
@@ -47,7 +57,11 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
     case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
   }
   context = std::make_unique<Context>(options);
-  context->backend = std::make_unique<Backend>(driver, options.programs);
+  constexpr std::size_t kDefaultCacheBytes = std::size_t{32} << 20;
+  context->backend = std::make_unique<Backend>(
+      driver, options.programs,
+      ProgramFiles(options.cache_directory ? options.cache_directory : "",
+                   options.cache_bytes ? options.cache_bytes : kDefaultCacheBytes));
   if (options.share) {
     context->lists.names = options.share->lists.names;
     context->texture.names = options.share->texture.names;
@@ -102,6 +116,7 @@ void draw_pending(Context& context) {
 legacy_gl_context::legacy_gl_context(const legacy_gl_options& chosen)
     : options(chosen), lighting(chosen.max_lights ? chosen.max_lights : 8) {
   options.share = nullptr;
+  options.cache_directory = nullptr;  // the caller's text
 }
 
 legacy_gl_context::~legacy_gl_context() = default;
@@ -168,13 +183,19 @@ void legacy_gl_reset_statistics(void) {
 
 size_t legacy_gl_get_program_source(char* text, size_t size) {
   if (!current_context) return 0;
-  const std::string source = current_context->backend->program_source(*current_context);
-  if (text && size) {
-    const std::size_t count = std::min(size - 1, source.size());
-    std::memcpy(text, source.data(), count);
-    text[count] = 0;
-  }
-  return source.size();
+  return give(current_context->backend->program_source(*current_context), text, size);
+}
+
+size_t legacy_gl_get_program_keys(char* text, size_t size) {
+  if (!current_context) return 0;
+  return give(current_context->backend->programs().keys(), text, size);
+}
+
+size_t legacy_gl_precompile(const char* keys, size_t length) {
+  if (!current_context || !keys) return 0;
+  flush_pending(*current_context);
+  return current_context->backend->programs().precompile({keys, length},
+                                                         current_context->statistics);
 }
 
 const char* legacy_gl_status_string(legacy_gl_status status) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "immediate/clip_test.hpp"
 #include "immediate/primitives.hpp"
@@ -17,12 +18,12 @@ constexpr std::size_t kUniformRingBytes = std::size_t{1} << 20;
 
 }  // namespace
 
-Backend::Backend(const Driver& loaded, legacy_gl_programs programs)
+Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles files)
     : driver(loaded),
       buffers_(driver),
       queries_(driver),
       textures_(driver),
-      programs_(driver, programs),
+      programs_(driver, programs, std::move(files)),
       vertices_(driver, GL_ARRAY_BUFFER, kVertexRingBytes, StreamBuffer::Use::kOneDraw),
       indices_(driver, GL_COPY_WRITE_BUFFER, kIndexRingBytes, StreamBuffer::Use::kOneDraw),
       uniforms_(driver, GL_UNIFORM_BUFFER, kUniformRingBytes, StreamBuffer::Use::kManyDraws),

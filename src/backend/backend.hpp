@@ -25,7 +25,7 @@ struct ElementRange;
 /// The driver's side of a context: everything here may call the real GL, and nothing else may.
 class Backend {
  public:
-  Backend(const Driver& loaded, legacy_gl_programs programs);
+  Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles files);
 
   /// Draws the recorder's batch and clears it.
   void draw_recorded(Context& context);
@@ -45,6 +45,8 @@ class Backend {
 
   /// The text of both stages of the program that polygons are drawn with in the present state.
   std::string program_source(Context& context);
+
+  ProgramCache& programs() { return programs_; }
 
   /// Forgets what is believed to be bound.
   void reset_driver_state();

@@ -24,6 +24,17 @@ void parse_version(Driver& driver, const char* version) {
     driver.major = driver.minor = 0;
 }
 
+bool has_extension(const Driver& driver, const char* name) {
+  GLint count = 0;
+  driver.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const auto* const extension =
+        reinterpret_cast<const char*>(driver.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    if (extension && std::strcmp(extension, name) == 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
@@ -69,6 +80,11 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   optional(driver.GetTexLevelParameteriv, "glGetTexLevelParameteriv", !es);
   optional(driver.PointSize, "glPointSize", !es);
   optional(driver.PolygonMode, "glPolygonMode", !es);
+  const bool binaries = es || driver.major * 10 + driver.minor >= 41 ||
+                        has_extension(driver, "GL_ARB_get_program_binary");
+  optional(driver.GetProgramBinary, "glGetProgramBinary", binaries);
+  optional(driver.ProgramBinary, "glProgramBinary", binaries);
+  optional(driver.ProgramParameteri, "glProgramParameteri", binaries);
   return DriverStatus::kOk;
 }
 

@@ -124,12 +124,15 @@ namespace legacy_gl {
   X(DrawBuffers, DRAWBUFFERS)                       \
   X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX) \
   X(GetBufferSubData, GETBUFFERSUBDATA)             \
+  X(GetProgramBinary, GETPROGRAMBINARY)             \
   X(GetTexImage, GETTEXIMAGE)                       \
   X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
   X(LogicOp, LOGICOP)                               \
   X(MultiDrawArrays, MULTIDRAWARRAYS)               \
   X(PointSize, POINTSIZE)                           \
-  X(PolygonMode, POLYGONMODE)
+  X(PolygonMode, POLYGONMODE)                       \
+  X(ProgramBinary, PROGRAMBINARY)                   \
+  X(ProgramParameteri, PROGRAMPARAMETERI)
 
 struct Driver {
 #define LEGACY_GL_DECLARE(name, NAME) PFNGL##NAME##PROC name = nullptr;

@@ -1,19 +1,27 @@
 #include "backend/program_cache.hpp"
 
+#include <utility>
+
 #include "shadergen/general.hpp"
-#include "shadergen/generate.hpp"
+#include "shadergen/generator_version.hpp"
 #include "shadergen/uniform_blocks.hpp"
 
 namespace legacy_gl {
 
-namespace {
-
-/// Vertices times lights that a general program draws before it has cost about as much more time as
-/// a compilation takes: with this for each program and for all together, what is spent is at most
-/// twice what the best choice in hindsight would spend.
-constexpr std::uint64_t kWorthCompiling = 1'000'000;
-
-}  // namespace
+ProgramCache::ProgramCache(const Driver& driver, legacy_gl_programs policy, ProgramFiles files)
+    : driver_(driver), policy_(policy), files_(std::move(files)) {
+  if (!files_.enabled()) return;
+  environment_ = std::string(generator_version()) + (driver_.is_es() ? " es\n" : " core\n");
+  for (const int name : {GL_VENDOR, GL_RENDERER, GL_VERSION}) {
+    const auto* const text =
+        reinterpret_cast<const char*>(driver_.GetString(static_cast<GLenum>(name)));
+    environment_ += std::string(text ? text : "") + "\n";
+  }
+  GLint formats = 0;
+  if (driver_.GetProgramBinary && driver_.ProgramBinary && driver_.ProgramParameteri)
+    driver_.GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+  binaries_ = formats > 0;
+}
 
 ProgramCache::~ProgramCache() {
   for (const auto& [key, entry] : programs_) driver_.DeleteProgram(entry.program);
@@ -97,21 +105,28 @@ void ProgramCache::set_samplers(GLuint program, unsigned count) {
   driver_.UseProgram(static_cast<GLuint>(in_use));
 }
 
-GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statistics) {
-  const ProgramSource source = generate(key, driver_.dialect);
-  ++statistics.programs_generated;
+bool ProgramCache::is_linked(GLuint program) const {
+  GLint linked = 0;
+  driver_.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  return linked != 0;
+}
+
+GLuint ProgramCache::compile(const ProgramSource& source, legacy_gl_statistics& statistics) {
   const GLuint vertex = compile(GL_VERTEX_SHADER, source.vertex);
   const GLuint fragment = compile(GL_FRAGMENT_SHADER, source.fragment);
-  if (!vertex || !fragment) return 0;
+  if (!vertex || !fragment) {
+    driver_.DeleteShader(vertex);  // 0 is ignored
+    driver_.DeleteShader(fragment);
+    return 0;
+  }
   const GLuint program = driver_.CreateProgram();
   driver_.AttachShader(program, vertex);
   driver_.AttachShader(program, fragment);
+  if (binaries_) driver_.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
   driver_.LinkProgram(program);
   driver_.DeleteShader(vertex);
   driver_.DeleteShader(fragment);
-  GLint linked = 0;
-  driver_.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (!linked) {
+  if (!is_linked(program)) {
     GLchar log[2048] = {};
     driver_.GetProgramInfoLog(program, sizeof log, nullptr, log);
     error_ = std::string(log) + "\n" + source.vertex + source.fragment;
@@ -119,13 +134,30 @@ GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statisti
     return 0;
   }
   ++statistics.programs_compiled;
+  return program;
+}
+
+GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statistics) {
+  const std::string identity = files_.enabled() ? identity_of(key) : std::string();
+  GLuint program = files_.enabled() ? load(identity, statistics) : 0;
+  if (!program) {
+    const ProgramSource source = generate(key, driver_.dialect);
+    ++statistics.programs_generated;
+    program = compile(source, statistics);
+    if (program && files_.enabled()) store(identity, program, source);
+  }
+  if (program) connect(key, program);
+  return program;
+}
+
+/// What a program begins without, whether it is compiled or loaded.
+void ProgramCache::connect(const ProgramKey& key, GLuint program) {
   for (GLuint block = 0; block < kUniformBlockCount; ++block) {
     const GLuint index = driver_.GetUniformBlockIndex(program, kUniformBlockNames[block]);
     if (index != GL_INVALID_INDEX) driver_.UniformBlockBinding(program, index, block);
   }
   if (key.pixels != PixelSource::kNone) set_sampler(program, "pixel_texture", kPixelTextureUnit);
   if (key.textures.count) set_samplers(program, key.textures.count);
-  return program;
 }
 
 void ProgramCache::set_sampler(GLuint program, const char* name, unsigned unit) {

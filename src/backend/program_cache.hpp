@@ -2,9 +2,12 @@
 #include <legacy_gl/context.h>
 
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include "backend/driver.hpp"
+#include "backend/program_files.hpp"
+#include "shadergen/generate.hpp"
 #include "shadergen/program_key.hpp"
 
 namespace legacy_gl {
@@ -13,8 +16,8 @@ namespace legacy_gl {
 class ProgramCache {
  public:
   explicit ProgramCache(const Driver& driver,
-                        legacy_gl_programs policy = LEGACY_GL_PROGRAMS_SPECIALISED)
-      : driver_(driver), policy_(policy) {}
+                        legacy_gl_programs policy = LEGACY_GL_PROGRAMS_SPECIALISED,
+                        ProgramFiles files = {"", 0});
   ~ProgramCache();
   ProgramCache(const ProgramCache&) = delete;
   ProgramCache& operator=(const ProgramCache&) = delete;
@@ -31,7 +34,18 @@ class ProgramCache {
   GLuint find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics);
   const std::string& error() const { return error_; }
 
+  /// The keys of the programs that are built or would be next, in text, for precompile.
+  std::string keys() const;
+  /// Builds the programs of such a text that are not there yet. Returns how many of its keys are
+  /// ready; what another version of the generator wrote, or nobody, is passed over.
+  std::size_t precompile(std::string_view text, legacy_gl_statistics& statistics);
+
  private:
+  /// Vertices times lights that a general program draws before it has cost about as much more time
+  /// as a compilation takes: with this for each program and for all together, what is spent is at
+  /// most twice what the best choice in hindsight would spend.
+  static constexpr std::uint64_t kWorthCompiling = 1'000'000;
+
   struct Entry {
     bool built = false;
     GLuint program = 0;
@@ -42,6 +56,14 @@ class ProgramCache {
   void build_entry(const ProgramKey& key, Entry& entry, legacy_gl_statistics& statistics);
   bool worth_it(const ProgramKey& key, std::uint64_t vertices, Entry& entry);
   GLuint build(const ProgramKey& key, legacy_gl_statistics& statistics);
+  GLuint compile(const ProgramSource& source, legacy_gl_statistics& statistics);
+  std::string identity_of(const ProgramKey& key) const;
+  GLuint load(const std::string& identity, legacy_gl_statistics& statistics);
+  GLuint load_binary(const StoredProgram& stored);
+  void store(const std::string& identity, GLuint program, const ProgramSource& source);
+  bool offers_format(GLenum format) const;
+  bool is_linked(GLuint program) const;
+  void connect(const ProgramKey& key, GLuint program);
   void set_sampler(GLuint program, const char* name, unsigned unit);
   void set_samplers(GLuint program, unsigned count);
   GLuint compile(GLenum stage, const std::string& text);
@@ -53,6 +75,9 @@ class ProgramCache {
   Entry* last_ = nullptr;
   std::uint64_t work_since_last_build_ = 0;
   std::string error_;
+  ProgramFiles files_;
+  std::string environment_;  ///< generator, dialect and driver: what stored programs depend on
+  bool binaries_ = false;    ///< the driver gives and takes them
 };
 
 }  // namespace legacy_gl

@@ -364,8 +364,7 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
   const std::uint32_t count = vertex_count();
   const VertexOffsets old = offsets_;
   const VertexOffsets wide = offsets_of(layout);
-  const std::size_t wanted =
-      std::max(capacity_floats_, 2 * std::size_t{count + 4} * wide.stride);
+  const std::size_t wanted = std::max(capacity_floats_, 2 * std::size_t{count + 4} * wide.stride);
   std::swap(storage_, spare_);
   std::swap(capacity_floats_, spare_floats_);
   if (capacity_floats_ < wanted) {

@@ -63,8 +63,8 @@ struct legacy_gl_context {
   legacy_gl::ListState lists;
   bool color_sum_enabled = false;
   legacy_gl::BitmapImage bitmap_scratch;  ///< of the call that is executed
-  bool bitmaps_pending = false;  ///< the backend has bitmaps that are not drawn yet
-  unsigned active_texture = 0;   ///< unit that glMatrixMode(GL_TEXTURE) and its like address
+  bool bitmaps_pending = false;           ///< the backend has bitmaps that are not drawn yet
+  unsigned active_texture = 0;  ///< unit that glMatrixMode(GL_TEXTURE) and its like address
   unsigned client_active_texture = 0;
 
   legacy_gl_statistics statistics{};

@@ -1,5 +1,5 @@
-// Counts what this thread takes from operator new. Linking allocations.cpp replaces it for the whole
-// program: this library's C++, but not Mesa's C, which takes its memory from malloc.
+// Counts what this thread takes from operator new. Linking allocations.cpp replaces it for the
+// whole program: this library's C++, but not Mesa's C, which takes its memory from malloc.
 #pragma once
 
 #include <cstdint>

@@ -145,7 +145,8 @@ void make_texture(const GlFunctions& gl) {
   GLuint name = 0;
   gl.GenTextures(1, &name);
   gl.BindTexture(GL_TEXTURE_2D, name);
-  const std::array<GLubyte, 16> texels{255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 255};
+  const std::array<GLubyte, 16> texels{255, 0, 0,   255, 0, 255, 0, 255,
+                                       0,   0, 255, 255, 9, 9,   9, 255};
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   gl.Enable(GL_TEXTURE_2D);
