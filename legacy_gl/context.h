@@ -91,8 +91,9 @@ typedef struct legacy_gl_statistics {
   uint64_t index_bytes_uploaded;
   uint64_t uniform_bytes_uploaded;
   uint64_t uniform_block_updates;
-  uint64_t begin_end_merged;      /**< Begin/End pairs that joined the batch before them */
-  uint64_t lights_skipped;        /**< enabled lights that a draw left out since they add nothing */
+  uint64_t begin_end_merged; /**< Begin/End pairs that joined the batch before them */
+  uint64_t lights_skipped;   /**< enabled lights that a draw left out since they add nothing */
+  uint64_t lights_culled;    /**< enabled lights that a draw left out since they do not reach it */
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */

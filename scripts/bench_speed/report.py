@@ -114,6 +114,18 @@ def growth_table(growth):
     return out
 
 
+def lights_lines(results):
+    rows = [row for path in sorted(results.glob("lights_*.csv")) for row in csv.DictReader(path.open())]
+    if not rows:
+        return []
+    few, many = median(rows, "few_cpu_ms"), median(rows, "many_cpu_ms")
+    return ["## More than eight lights", "",
+            f"{rows[0]['objects']} objects under {rows[0]['many']} lamps, of which each object has few: {many:.3g} ms of",
+            f"CPU a frame, beside {few:.3g} ms under {rows[0]['few']} of the lamps. Ratio {ratio(rows)}; goal",
+            f"{verdict(median(rows, 'cpu_ratio'), 2)}. {float(rows[0]['culled_per_object']):.0f} lamps are left out of an object; steady frames",
+            f"compiled {max(int(row['compiled']) for row in rows)} programs.", ""]
+
+
 def write_csv(path, groups):
     columns = ["cpu_ratio", "wall_ratio", "ours_cpu_ms", "mesa_cpu_ms", "ours_wall_ms", "mesa_wall_ms"]
     with path.open("w", newline="") as file:
@@ -149,6 +161,7 @@ def main():
             "", "![steady frames](performance.png)", "", "## Steady frames", "", *steady_table(scenes, groups, culled),
             "", "## First frames", "",
             "Programs are compiled in it; the driver's cache on disk is off.", "", *first_table(scenes, groups), "",
+            *lights_lines(results),
             "## Growth", "", *growth_table(growth), ""]
     notes = docs / "performance_notes.md"
     if notes.exists():

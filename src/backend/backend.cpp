@@ -129,6 +129,10 @@ void Backend::upload_stale_blocks(Context& context) {
 
 void Backend::prepare(Context& context, const VertexLayout& layout) {
   derived_.update(context, layout, driver.dialect);
+  apply_derived(context);
+}
+
+void Backend::apply_derived(Context& context) {
   upload_uniforms(context);
   apply_raster(context);
   if (derived_.key.textures.count) textures_.bind(active_textures(context));
@@ -240,14 +244,17 @@ void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
   if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
-  derived_.update(context, recorder.layout(), driver.dialect);
+  DrawBounds found;
+  const DrawBounds* const bounds =
+      looks_at_reach(context) && find_bounds(context, found) ? &found : nullptr;
+  derived_.update(context, recorder.layout(), driver.dialect, bounds);
   if (all_beyond_one_plane(derived_.transform.modelview_projection, recorder.data(),
                            recorder.vertex_count(), recorder.offsets().stride,
                            recorder.offsets().position_size == 4)) {
     ++context.statistics.primitives_clipped;
     return recorder.clear();
   }
-  prepare(context, recorder.layout());
+  apply_derived(context);
   const std::uint32_t base_vertex = upload_vertices(context);
   const GLuint array = arrays_.find_or_build(recorder.layout(), vertices_.name(), indices_.name());
   bind_vertex_array(array);

@@ -75,6 +75,8 @@ class Backend {
   void draw_pixel_quads(Context& context, PixelSource source, const std::vector<float>& vertices,
                         const RasterState& raster);
   void prepare(Context& context, const VertexLayout& layout);
+  /// Brings the driver up to what is derived.
+  void apply_derived(Context& context);
   /// False when the driver has refused it. The general block is uploaded where it is read.
   bool use_program(Context& context, bool points, std::uint64_t vertices);
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;

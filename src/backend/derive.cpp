@@ -1,6 +1,7 @@
 #include "backend/derive.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cfloat>
 #include <cmath>
 #include <glm/common.hpp>
@@ -178,17 +179,19 @@ glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear) {
   return linear.inverse_transpose;
 }
 
-void Derived::update(Context& context, const VertexLayout& layout, Dialect) {
+void Derived::update(Context& context, const VertexLayout& layout, Dialect,
+                     const DrawBounds* bounds) {
   std::uint32_t dirty = context.dirty & ~std::uint32_t{kDirtyRaster};
   const bool transformed = layout.fields & kFieldTransformed;
   if (transformed != transformed_) dirty |= kDirtyTransform;
   transformed_ = transformed;
   const bool layout_changed = layout != layout_;
+  if (dirty & kDirtyTransform) update_transform(context);
+  if (choose_reached(context, layout, bounds)) dirty |= kDirtyLights;
   if (dirty == 0 && !layout_changed) return;
   layout_ = layout;
   context.dirty &= std::uint32_t{kDirtyRaster};
 
-  if (dirty & kDirtyTransform) update_transform(context);
   const ProgramKey before = key;
   const double length_before = normal_length_;
   const bool before_only = directions_only_;
@@ -345,7 +348,7 @@ void Derived::choose_lights(Context& context) {
   const LightingState& lighting = context.lighting;
   for (unsigned i = 0; i < lighting.lights.size(); ++i) {
     const Light& light = lighting.lights[i];
-    if (!light.enabled) continue;
+    if (!light.enabled || !reached_[i]) continue;
     ActiveLight active{i, 0, 1};
     if (is_directional(light)) {
       if (is_spot(light)) active.strength = directional_spot_factor(light);
@@ -407,6 +410,8 @@ void Derived::choose_lights(Context& context) {
     build_runs();
   }
 
+  if (!reached_.all()) fill_up_runs();
+
   for (unsigned face = 0; face < face_count(key); ++face) {
     const Material& material = lighting.materials[face];
     largest = std::max({largest, largest_component(rgb(material.emission)),
@@ -432,6 +437,43 @@ void Derived::choose_lights(Context& context) {
             ? static_cast<std::uint8_t>(shininess)
             : kGeneralShininess;
   }
+}
+
+/// Which lights reach the draw; true when that is another set than before.
+bool Derived::choose_reached(Context& context, const VertexLayout& layout,
+                             const DrawBounds* bounds) {
+  LightMask reached = LightMask().set();
+  if (bounds && affine_ && !transformed_) {
+    reached = reached_lights(context, modelview(context).exact, linear_, layout, *bounds);
+    for (std::size_t i = 0; i < context.lighting.lights.size(); ++i)
+      if (context.lighting.lights[i].enabled && !reached[i]) ++context.statistics.lights_culled;
+  }
+  if (reached == reached_) return false;
+  reached_ = reached;
+  return true;
+}
+
+/// Black lights bring the number of each kind to a power of two: how many lights reach a draw
+/// chooses among few programs.
+void Derived::fill_up_runs() {
+  constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
+  filled_up_.clear();
+  unsigned total = key.light_count();
+  LightRun* run = key.lights.data();
+  unsigned in_run = 0;
+  for (const ActiveLight& light : active_) {
+    filled_up_.push_back(light);
+    if (!(light.kind & kTerms) || ++in_run < run->count) continue;
+    const unsigned wanted = std::bit_ceil(in_run);
+    for (; in_run < wanted && total < kMaxLights; ++in_run, ++total) {
+      filled_up_.push_back(light);
+      filled_up_.back().black = true;
+    }
+    run->count = static_cast<std::uint16_t>(in_run);
+    ++run;
+    in_run = 0;
+  }
+  std::swap(active_, filled_up_);
 }
 
 void Derived::fill_transform(const Context& context) {
@@ -553,6 +595,11 @@ void Derived::fill_faces(const Context& context) {
     glm::dvec3 ambient_light = rgb(context.lighting.model.ambient);
     for (const ActiveLight& active : active_) {
       const Light& light = context.lighting.lights[active.index];
+      if (active.black) {
+        uniforms.products.emplace_back();
+        uniforms.products.back().diffuse.w = static_cast<float>(sum_scale_);
+        continue;
+      }
       if (folds_into_scene(active.kind)) ambient_light += rgb(light.ambient) * active.strength;
       if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
       const auto product = [&](unsigned property, const glm::vec4& color, double factor) {

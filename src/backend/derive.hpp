@@ -3,6 +3,7 @@
 // call.
 #include <vector>
 
+#include "backend/reached_lights.hpp"
 #include "immediate/vertex_layout.hpp"
 #include "matrix/lighting_space.hpp"
 #include "shadergen/program_key.hpp"
@@ -22,6 +23,7 @@ struct ActiveLight {
   unsigned index = 0;     ///< GL_LIGHT0 + index
   std::uint8_t kind = 0;  ///< LightKindBit
   double strength = 1;    ///< constant attenuation and the cone of a directional light
+  bool black = false;     ///< fills its run up to a power of two
 };
 
 /// The matrix that takes normals to eye coordinates, as GL_NORMALIZE and GL_RESCALE_NORMAL ask for
@@ -36,7 +38,9 @@ class Derived {
   /// Brings key and values up to date with the state, as far as the dirty bits (which it clears,
   /// but for kDirtyRaster) and the batch's layout ask for. Sets `stale` for each block whose values
   /// changed.
-  void update(Context& context, const VertexLayout& layout, Dialect dialect);
+  /// With `bounds`, lights that do not reach the draw are left out.
+  void update(Context& context, const VertexLayout& layout, Dialect dialect,
+              const DrawBounds* bounds = nullptr);
 
   ProgramKey key;
   TransformUniforms transform;
@@ -64,6 +68,8 @@ class Derived {
   void choose_space(const Context& context, const VertexLayout& layout);
   void choose_materials(const Context& context, const VertexLayout& layout);
   void choose_lights(Context& context);
+  bool choose_reached(Context& context, const VertexLayout& layout, const DrawBounds* bounds);
+  void fill_up_runs();
   void fill_lighting(const Context& context, std::uint32_t dirty, const ProgramKey& before,
                      double length_before, bool before_only);
   void update_textures(Context& context, std::uint32_t dirty, bool layout_changed);
@@ -84,6 +90,8 @@ class Derived {
   double sum_scale_ = 1;          ///< what the products were divided by (scaled_sums)
   VertexLayout layout_;
   std::vector<ActiveLight> active_;
+  std::vector<ActiveLight> filled_up_;
+  LightMask reached_ = LightMask().set();
 };
 
 }  // namespace legacy_gl

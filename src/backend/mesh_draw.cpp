@@ -31,12 +31,15 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const unsigned kept = wanted.texcoords & mesh.layout.texcoords;
   wanted.wide_texcoords = static_cast<std::uint8_t>((wanted.wide_texcoords & ~kept) |
                                                     (mesh.layout.wide_texcoords & kept));
-  derived_.update(context, wanted, driver.dialect);
+  const bool bounded = looks_at_reach(context);
+  const DrawBounds known = bounded ? bounds_of(context, mesh) : DrawBounds{};
+  const DrawBounds* const bounds = bounded ? &known : nullptr;
+  derived_.update(context, wanted, driver.dialect, bounds);
   if (is_outside(mesh, derived_.transform.modelview_projection)) {
     ++context.statistics.primitives_clipped;
     return;
   }
-  prepare(context, wanted);
+  apply_derived(context);
   bool uploaded = false;
   const MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
   if (uploaded) {

@@ -46,6 +46,7 @@ bool Backend::can_transform(Context& context) {
   if (recorder.layout().fields & ~kKnownFields) return false;
   if (recorder.layout().fields & kFieldTransformed) return true;
   if (!transforms_as_shaders_) return false;
+  if (looks_at_reach(context)) return false;  // each object has lights of its own
   derived_.update(context, recorder.layout(), driver.dialect);
   return reads_nothing_else(derived_.key);
 }

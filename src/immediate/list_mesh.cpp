@@ -1,13 +1,15 @@
 #include "immediate/list_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "immediate/primitives.hpp"
 
 namespace legacy_gl {
 
 void ListMesh::finish() {
-  const unsigned stride = offsets_of(layout).stride;
+  const VertexOffsets offsets = offsets_of(layout);
+  const unsigned stride = offsets.stride;
   if (vertices.empty()) return;
   lowest = highest = {vertices[0], vertices[1], vertices[2]};
   for (std::size_t at = 0; at < vertices.size(); at += stride)
@@ -16,6 +18,16 @@ void ListMesh::finish() {
       lowest[axis] = std::min(lowest[axis], value);
       highest[axis] = std::max(highest[axis], value);
     }
+  for (std::size_t at = 0; at < vertices.size(); at += stride) {
+    const float* const normal = &vertices[at] + offsets.normal;
+    const float* const color = &vertices[at] + offsets.color;
+    if (layout.fields & kFieldNormal)
+      longest_normal =
+          std::max(longest_normal, std::hypot(normal[0], normal[1], normal[2]) * (1 + 1e-6f));
+    if (layout.fields & kFieldColor)
+      largest_color =
+          std::max({largest_color, std::abs(color[0]), std::abs(color[1]), std::abs(color[2])});
+  }
   if (vertex_count() > Recorder::kSmallObject) return;
   for (const PrimitiveRun& run : runs)
     if (!append_triangles(run, elements, triangles)) return triangles.clear();

@@ -38,6 +38,8 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   std::vector<std::uint32_t> triangles;
 
   glm::vec3 lowest{0}, highest{0};  ///< of the positions
+  float longest_normal = 0;         ///< where it has normals
+  float largest_color = 0;          ///< component of its colours, where it has them
 
   /// Called once, when nothing joins the mesh any more.
   void finish();

@@ -19,6 +19,7 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::vector<int> sizes{256, 16};
   bool growth = false;
+  bool many_lights = false;
   bool list = false;
   std::string output;
   std::string profile;
@@ -47,6 +48,11 @@ int run(Arguments& arguments) {
   std::ofstream file;
   if (!arguments.output.empty()) file.open(arguments.output);
   std::ostream& table = arguments.output.empty() ? std::cout : file;
+  if (arguments.many_lights) {
+    table << many_lights_table_head();
+    arguments.options.size = arguments.sizes.front();
+    return measure_many_lights(arguments.options, table) ? 0 : 1;
+  }
   if (arguments.profile.empty()) table << speed_table_head();
   bool alike = true;
   for (const int size : arguments.sizes)
@@ -79,6 +85,8 @@ int main(int argc, char** argv) {
   app.add_option("--scene", arguments.scenes, "only these (repeat it); all unless given");
   app.add_option("--size", arguments.sizes, "viewports (repeat it): 256 and 16 unless given");
   app.add_flag("--growth", arguments.growth, "scenes of growing size instead");
+  app.add_flag("--many-lights", arguments.many_lights,
+               "instead: 64 lights over 200 objects against eight lights");
   app.add_flag("--quick", arguments.options.quick, "fewer frames");
   app.add_flag("--cull", arguments.options.cull_everything, "glCullFace(GL_FRONT_AND_BACK)");
   app.add_flag("--list", arguments.list, "list the scenes and their goals");
