@@ -91,9 +91,14 @@ typedef struct legacy_gl_statistics {
   uint64_t index_bytes_uploaded;
   uint64_t uniform_bytes_uploaded;
   uint64_t uniform_block_updates;
-  uint64_t begin_end_merged; /**< Begin/End pairs that joined the batch before them */
-  uint64_t lights_skipped;   /**< enabled lights that a draw left out since they add nothing */
-  uint64_t lights_culled;    /**< enabled lights that a draw left out since they do not reach it */
+  uint64_t begin_end_merged;    /**< Begin/End pairs that joined the batch before them */
+  uint64_t lights_skipped;      /**< enabled lights that a draw left out since they add nothing */
+  uint64_t light_terms_skipped; /**< zero terms (ambient, diffuse, specular) of the other lights */
+  uint64_t attenuations_folded; /**< constant attenuations that no vertex computes */
+  uint64_t spot_exponents_skipped; /**< spots of exponent 0 */
+  uint64_t normalizations_skipped; /**< draws whose normals GL_NORMALIZE leaves as they are */
+  uint64_t back_faces_skipped;     /**< two-sided lighting of faces that are culled */
+  uint64_t lights_culled; /**< enabled lights that a draw left out since they do not reach it */
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */

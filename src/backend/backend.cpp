@@ -244,10 +244,10 @@ void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
   if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
-  DrawBounds found;
-  const DrawBounds* const bounds =
-      looks_at_reach(context) && find_bounds(context, found) ? &found : nullptr;
-  derived_.update(context, recorder.layout(), driver.dialect, bounds);
+  DrawBounds bounds;
+  DrawFacts facts;
+  if (looks_at_reach(context) && find_bounds(context, bounds)) facts.bounds = &bounds;
+  derived_.update(context, recorder.layout(), driver.dialect, facts);
   if (all_beyond_one_plane(derived_.transform.modelview_projection, recorder.data(),
                            recorder.vertex_count(), recorder.offsets().stride,
                            recorder.offsets().position_size == 4)) {

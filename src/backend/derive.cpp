@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 #include <numbers>
+#include <utility>
 
 namespace legacy_gl {
 
@@ -60,6 +61,16 @@ glm::dvec3 uniform_material(const Context& context, const ProgramKey& key, unsig
                             unsigned property) {
   if (key.material[face][property] != MaterialSource::kUniform) return glm::dvec3(1);
   return rgb(material_value(context.lighting.materials, face, property));
+}
+
+/// What an active light leaves out of its equation.
+void count_skipped(legacy_gl_statistics& statistics, const Light& light, int terms) {
+  statistics.light_terms_skipped += static_cast<std::uint64_t>(3 - terms);
+  if (is_directional(light)) return;
+  if (light.linear_attenuation == 0 && light.quadratic_attenuation == 0 &&
+      light.constant_attenuation != 1)
+    ++statistics.attenuations_folded;
+  if (is_spot(light) && light.spot_exponent == 0) ++statistics.spot_exponents_skipped;
 }
 
 bool folds_into_scene(std::uint8_t kind) { return !(kind & (kLightAttenuated | kLightSpot)); }
@@ -180,14 +191,15 @@ glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear) {
 }
 
 void Derived::update(Context& context, const VertexLayout& layout, Dialect,
-                     const DrawBounds* bounds) {
+                     const DrawFacts& facts) {
   std::uint32_t dirty = context.dirty & ~std::uint32_t{kDirtyRaster};
   const bool transformed = layout.fields & kFieldTransformed;
   if (transformed != transformed_) dirty |= kDirtyTransform;
   transformed_ = transformed;
   const bool layout_changed = layout != layout_;
   if (dirty & kDirtyTransform) update_transform(context);
-  if (choose_reached(context, layout, bounds)) dirty |= kDirtyLights;
+  if (choose_reached(context, layout, facts.bounds)) dirty |= kDirtyLights;
+  if (choose_normalize(context, facts.unit_normals)) dirty |= kDirtyTransform;
   if (dirty == 0 && !layout_changed) return;
   layout_ = layout;
   context.dirty &= std::uint32_t{kDirtyRaster};
@@ -205,6 +217,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
     choose_fragments(context, layout);
     if (key.lit) {
       key.two_side = context.lighting.model.two_side && back_faces_visible(context);
+      if (context.lighting.model.two_side && !key.two_side) ++context.statistics.back_faces_skipped;
       choose_materials(context, layout);
     }
   }
@@ -298,8 +311,8 @@ void Derived::update_transform(Context& context) {
 
 void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
-  directions_only_ = !context.transform.normalize_enabled && !reads_position(key) &&
-                     (linear_.keeps_angles || !is_per_fragment(context));
+  directions_only_ =
+      !normalizes_ && !reads_position(key) && (linear_.keeps_angles || !is_per_fragment(context));
   // What lights only normals as they are given is a row of object space under any modelview:
   // (normal × inverse) · l = normal · (inverse × l).
   if (directions_only_) {
@@ -314,8 +327,10 @@ void Derived::choose_space(const Context& context, const VertexLayout& layout) {
   const bool in_object_space = key.space == LightingSpace::kObject;
   normal_length_ = 1;
   key.normal = NormalMode::kMatrix;
-  if (context.transform.normalize_enabled) {
+  if (normalizes_) {
     key.normal = NormalMode::kNormalize;
+  } else if (context.transform.normalize_enabled) {
+    key.normal = NormalMode::kAsIs;  // unit normals, and a modelview that keeps angles
   } else if (in_object_space) {
     // Near 1 the products take the length, and its power for the specular term; farther off that
     // power would leave the range, and the normal is scaled.
@@ -384,8 +399,12 @@ void Derived::choose_lights(Context& context) {
     if (ambient && !folds_into_scene(active.kind)) active.kind |= kLightAmbient;
     // A light whose ambient term is folded stays in the list with no term of its own until the sums
     // are made.
-    if (ambient || diffuse || specular) active_.push_back(active);
-    else ++context.statistics.lights_skipped;
+    if (!ambient && !diffuse && !specular) {
+      ++context.statistics.lights_skipped;
+      continue;
+    }
+    active_.push_back(active);
+    count_skipped(context.statistics, light, ambient + diffuse + specular);
   }
   std::sort(active_.begin(), active_.end(), by_kind);
 
@@ -451,6 +470,17 @@ bool Derived::choose_reached(Context& context, const VertexLayout& layout,
   if (reached == reached_) return false;
   reached_ = reached;
   return true;
+}
+
+/// Whether normals are made unit length; true when that is another answer than before.
+bool Derived::choose_normalize(Context& context, bool unit_normals) {
+  bool normalizes = context.transform.normalize_enabled;
+  if (normalizes && unit_normals && context.lighting.enabled && !transformed_ && affine_ &&
+      linear_.keeps_angles && linear_.exact && !is_precise(context) && !is_per_fragment(context)) {
+    normalizes = false;
+    ++context.statistics.normalizations_skipped;
+  }
+  return std::exchange(normalizes_, normalizes) != normalizes;
 }
 
 /// Black lights bring the number of each kind to a power of two: how many lights reach a draw
@@ -531,11 +561,9 @@ void Derived::fill_lights(const Context& context) {
   const double scale = in_object_space ? linear_.scale : 1;
   const glm::dmat3 rotation = in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);
   // Vectors that meet the normal as it is given.
-  const glm::dmat3 covariant =
-      directions_only_
-          ? linear_.inverse *
-                (context.transform.rescale_normal_enabled ? linear_.rescale_factor : 1.0)
-          : rotation;
+  double factor = context.transform.rescale_normal_enabled ? linear_.rescale_factor : 1.0;
+  if (context.transform.normalize_enabled) factor = linear_.scale;
+  const glm::dmat3 covariant = directions_only_ ? linear_.inverse * factor : rotation;
   const glm::dvec3 origin =
       key.space == LightingSpace::kEyeHomogeneous ? glm::dvec3(0) : translation;
 

@@ -33,14 +33,20 @@ glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear);
 /// One of the filters mixes neighbouring texels.
 bool filters_linearly(const TextureParameters& parameters);
 
+/// What is known of all vertices of a draw.
+struct DrawFacts {
+  const DrawBounds* bounds = nullptr;  ///< lights that do not reach them are left out
+  bool unit_normals = false;           ///< need not be normalised where the modelview keeps angles
+};
+
 class Derived {
  public:
   /// Brings key and values up to date with the state, as far as the dirty bits (which it clears,
   /// but for kDirtyRaster) and the batch's layout ask for. Sets `stale` for each block whose values
   /// changed.
-  /// With `bounds`, lights that do not reach the draw are left out.
+  /// What is known of the draw's vertices spares work.
   void update(Context& context, const VertexLayout& layout, Dialect dialect,
-              const DrawBounds* bounds = nullptr);
+              const DrawFacts& facts = {});
 
   ProgramKey key;
   TransformUniforms transform;
@@ -69,6 +75,7 @@ class Derived {
   void choose_materials(const Context& context, const VertexLayout& layout);
   void choose_lights(Context& context);
   bool choose_reached(Context& context, const VertexLayout& layout, const DrawBounds* bounds);
+  bool choose_normalize(Context& context, bool unit_normals);
   void fill_up_runs();
   void fill_lighting(const Context& context, std::uint32_t dirty, const ProgramKey& before,
                      double length_before, bool before_only);
@@ -86,6 +93,7 @@ class Derived {
   bool affine_ = true;
   bool linear_known_ = false;
   double normal_length_ = 1;  ///< of a unit normal after the modelview, where the products take it
+  bool normalizes_ = false;   ///< GL_NORMALIZE, and some normal is no unit vector
   bool directions_only_ = false;  ///< lights meet the normals as they are given
   double sum_scale_ = 1;          ///< what the products were divided by (scaled_sums)
   VertexLayout layout_;

@@ -31,10 +31,12 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const unsigned kept = wanted.texcoords & mesh.layout.texcoords;
   wanted.wide_texcoords = static_cast<std::uint8_t>((wanted.wide_texcoords & ~kept) |
                                                     (mesh.layout.wide_texcoords & kept));
+  DrawFacts facts;
+  facts.unit_normals = mesh.unit_normals;
   const bool bounded = looks_at_reach(context);
-  const DrawBounds known = bounded ? bounds_of(context, mesh) : DrawBounds{};
-  const DrawBounds* const bounds = bounded ? &known : nullptr;
-  derived_.update(context, wanted, driver.dialect, bounds);
+  const DrawBounds bounds = bounded ? bounds_of(context, mesh) : DrawBounds{};
+  if (bounded) facts.bounds = &bounds;
+  derived_.update(context, wanted, driver.dialect, facts);
   if (is_outside(mesh, derived_.transform.modelview_projection)) {
     ++context.statistics.primitives_clipped;
     return;

@@ -20,6 +20,13 @@ Light* find_light(Context& context, GLenum light) {
   return index < context.lighting.lights.size() ? &context.lighting.lights[index] : nullptr;
 }
 
+/// A light that is off changes nothing that is drawn; glEnable brings all of it up to date.
+template <typename T, typename U>
+void store(Context& context, const Light& light, T& stored, const U& value) {
+  if (context.lighting.enabled && light.enabled) assign(context, stored, value, kDirtyLights);
+  else stored = value;
+}
+
 }  // namespace
 
 unsigned light_parameter_count(GLenum pname) {
@@ -67,39 +74,38 @@ void set_light(Context& context, GLenum name, GLenum pname, Floats4 values) {
   if (!light) return raise_error(context, GL_INVALID_ENUM);
   const float value = values[0];
   switch (pname) {
-    case GL_AMBIENT: assign(context, light->ambient, color_of(values), kDirtyLights); break;
-    case GL_DIFFUSE: assign(context, light->diffuse, color_of(values), kDirtyLights); break;
-    case GL_SPECULAR: assign(context, light->specular, color_of(values), kDirtyLights); break;
+    case GL_AMBIENT: store(context, *light, light->ambient, color_of(values)); break;
+    case GL_DIFFUSE: store(context, *light, light->diffuse, color_of(values)); break;
+    case GL_SPECULAR: store(context, *light, light->specular, color_of(values)); break;
     case GL_POSITION:
-      assign(context, light->position_eye,
-             context.transform.modelview.top().exact * glm::dvec4(color_of(values)), kDirtyLights);
+      store(context, *light, light->position_eye,
+            context.transform.modelview.top().exact * glm::dvec4(color_of(values)));
       break;
     case GL_SPOT_DIRECTION:
-      assign(context, light->spot_direction_eye,
-             glm::dmat3(context.transform.modelview.top().exact) *
-                 glm::dvec3(values[0], values[1], values[2]),
-             kDirtyLights);
+      store(context, *light, light->spot_direction_eye,
+            glm::dmat3(context.transform.modelview.top().exact) *
+                glm::dvec3(values[0], values[1], values[2]));
       break;
     case GL_SPOT_EXPONENT:
       if (!(value >= 0 && value <= 128)) return raise_error(context, GL_INVALID_VALUE);
-      assign(context, light->spot_exponent, value, kDirtyLights);
+      store(context, *light, light->spot_exponent, value);
       break;
     case GL_SPOT_CUTOFF:
       if (!((value >= 0 && value <= 90) || value == 180))
         return raise_error(context, GL_INVALID_VALUE);
-      assign(context, light->spot_cutoff_degrees, value, kDirtyLights);
+      store(context, *light, light->spot_cutoff_degrees, value);
       break;
     case GL_CONSTANT_ATTENUATION:
       if (!(value >= 0)) return raise_error(context, GL_INVALID_VALUE);
-      assign(context, light->constant_attenuation, value, kDirtyLights);
+      store(context, *light, light->constant_attenuation, value);
       break;
     case GL_LINEAR_ATTENUATION:
       if (!(value >= 0)) return raise_error(context, GL_INVALID_VALUE);
-      assign(context, light->linear_attenuation, value, kDirtyLights);
+      store(context, *light, light->linear_attenuation, value);
       break;
     case GL_QUADRATIC_ATTENUATION:
       if (!(value >= 0)) return raise_error(context, GL_INVALID_VALUE);
-      assign(context, light->quadratic_attenuation, value, kDirtyLights);
+      store(context, *light, light->quadratic_attenuation, value);
       break;
     default: raise_error(context, GL_INVALID_ENUM);
   }
