@@ -1,6 +1,7 @@
 // GL 2.1 spec 4.2.1, 4.3.2: glDrawBuffer, glReadBuffer, glReadPixels.
 #include <new>
 
+#include "api/pixel_buffers.hpp"
 #include "backend/backend.hpp"
 #include "backend/read_pixels.hpp"
 #include "dlist/dispatch.hpp"
@@ -29,33 +30,21 @@ void read_buffer(Context& c, GLenum mode) {
   set_read_buffer(c, mode);
 }
 
-/// What the framebuffer lacks cannot be read (GL 2.1 spec 4.3.2).
-GLenum missing_buffer_error(const Context& c, GLenum format) {
-  switch (format) {
-    case GL_COLOR_INDEX: return GL_INVALID_OPERATION;  // no framebuffer here has colour indices
-    case GL_DEPTH_COMPONENT:
-      return framebuffer_bits(c, FramebufferChannel::kDepth) ? GL_NO_ERROR : GL_INVALID_OPERATION;
-    case GL_STENCIL_INDEX:
-      return framebuffer_bits(c, FramebufferChannel::kStencil) ? GL_NO_ERROR : GL_INVALID_OPERATION;
-    default: return GL_NO_ERROR;
-  }
-}
-
 void read_pixels_into(Context& c, PixelRectangle rectangle, GLenum format, GLenum type,
                       void* pixels) {
   if (inside(c)) return;
   if (rectangle.width < 0 || rectangle.height < 0) return raise_error(c, GL_INVALID_VALUE);
   if (const GLenum error = pixel_format_error(format, type)) return raise_error(c, error);
+  if (format == GL_COLOR_INDEX) return raise_error(c, GL_INVALID_OPERATION);
   if (const GLenum error = missing_buffer_error(c, format)) return raise_error(c, error);
-  if (type == GL_BITMAP || !can_read_pixels(c.backend->driver, format)) {
-    diagnose(c, type == GL_BITMAP ? "glReadPixels: GL_BITMAP is not built yet"
-                                  : "glReadPixels: this driver (OpenGL ES) reads colours alone");
+  if (!can_read_pixels(c.backend->driver, format)) {
+    diagnose(c, "glReadPixels: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
   }
   flush_pending(c);
   if (!pixels || !rectangle.width || !rectangle.height) return;
   try {
-    read_pixels(c.backend->driver, rectangle, c.pack, format, type,
+    read_pixels(c.backend->driver, rectangle, c.pack, format, type, c.pixels,
                 static_cast<std::byte*>(pixels));
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);
@@ -63,6 +52,16 @@ void read_pixels_into(Context& c, PixelRectangle rectangle, GLenum format, GLenu
 }
 
 }  // namespace
+
+GLenum legacy_gl::missing_buffer_error(const Context& c, GLenum format) {
+  switch (format) {
+    case GL_DEPTH_COMPONENT:
+      return framebuffer_bits(c, FramebufferChannel::kDepth) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    case GL_STENCIL_INDEX:
+      return framebuffer_bits(c, FramebufferChannel::kStencil) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    default: return GL_NO_ERROR;
+  }
+}
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawBuffer(GLenum buf) { dispatch<draw_buffer>(buf); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglReadBuffer(GLenum src) { dispatch<read_buffer>(src); }

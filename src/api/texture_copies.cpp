@@ -40,7 +40,7 @@ void copy_image(Context& c, GLenum target_name, unsigned dimensions, GLint level
     from.width = size.width;
     if (dimensions == 2) from.y += border;
     from.height = size.height;
-    c.backend->textures().copy(place, {}, from);
+    c.backend->textures().copy(place, {}, from, c.pixels);
     image_changed(c, place);
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);
@@ -61,7 +61,7 @@ void copy_part(Context& c, GLenum target_name, unsigned dimensions, GLint level,
   texture_changes(c);
   if (!from.width || !from.height) return;
   try {
-    c.backend->textures().copy(place, offset, from);
+    c.backend->textures().copy(place, offset, from, c.pixels);
     image_changed(c, place);
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);

@@ -18,7 +18,7 @@ GLenum level_error(const Context& context, const ImageTarget& target, GLint leve
 GLenum new_image_error(const Context& context, const NewImage& image);
 bool image_fits(const Context& context, const NewImage& image);
 
-/// The reference strips borders, and so do we: row D15 of docs/deviations.md.
+/// The reference strips borders, and so do we: row D21 of docs/deviations.md.
 ImageSize size_without_border(const NewImage& image);
 PixelStore inside_border(const PixelStore& store, const NewImage& image);
 

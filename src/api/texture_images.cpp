@@ -1,10 +1,11 @@
 // GL 2.1 spec 3.8.1, 3.8.2: glTexImage, glTexSubImage.
-#include <cstring>
+#include <memory>
 #include <new>
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
 #include "texture/pixel_format.hpp"
+#include "texture/recorded_pixels.hpp"
 
 using namespace legacy_gl;
 
@@ -28,14 +29,6 @@ GLenum transfer_error(const ImageCall& call) {
   return pixel_format_error(call.format, call.type);
 }
 
-/// GL_COLOR_INDEX goes through pixel maps, which are not built.
-bool refuses_indices(Context& c, const ImageCall& call) {
-  if (call.format != GL_COLOR_INDEX) return false;
-  diagnose(c, "glTexImage: GL_COLOR_INDEX needs pixel maps, which are not built yet");
-  raise_error(c, GL_INVALID_OPERATION);
-  return true;
-}
-
 void define(Context& c, const ImageCall& call, const PixelStore& store, const void* pixels) {
   const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
   if (!target) return raise_error(c, GL_INVALID_ENUM);
@@ -47,12 +40,11 @@ void define(Context& c, const ImageCall& call, const PixelStore& store, const vo
     return raise_error(c, GL_INVALID_OPERATION);
   if (target->proxy) return define_proxy(c, image);
   if (!image_fits(c, image)) return raise_error(c, GL_INVALID_VALUE);
-  if (refuses_indices(c, call)) return;
   const PixelStore inner = inside_border(store, image);
   const ImageSize size = size_without_border(image);
   if (!pixels || !size.texels()) return define_image(c, image, nullptr);
   const Texels texels = unpack_texels(inner, pixels, size, call.format, call.type, format.base,
-                                      c.backend->textures().takes_bytes_only());
+                                      c.backend->textures().takes_bytes_only(), c.pixels);
   define_image(c, image, &texels);
 }
 
@@ -66,11 +58,12 @@ void replace(Context& c, const ImageCall& call, const PixelStore& store, const v
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
   if ((base == BaseFormat::kDepth) != (call.format == GL_DEPTH_COMPONENT))
     return raise_error(c, GL_INVALID_OPERATION);
-  if (refuses_indices(c, call) || !pixels || !call.size.texels()) return;
+  if (!pixels || !call.size.texels()) return;
   texture_changes(c);
-  c.backend->textures().replace(place, call.offset, call.size,
-                                unpack_texels(store, pixels, call.size, call.format, call.type,
-                                              base, c.backend->textures().takes_bytes_only()));
+  c.backend->textures().replace(
+      place, call.offset, call.size,
+      unpack_texels(store, pixels, call.size, call.format, call.type, base,
+                    c.backend->textures().takes_bytes_only(), c.pixels));
   image_changed(c, place);
 }
 
@@ -86,44 +79,27 @@ void execute(Context& c, const ImageCall& call, const PixelStore& store, const v
   }
 }
 
-/// In a list: the call, and behind it the image without gaps when there is one.
-struct RecordedImage {
-  ImageCall call;
-  bool has_pixels, swap_bytes;
-};
-
-void play_image(Context& c, const void* payload) {
-  RecordedImage head;
-  std::memcpy(&head, payload, sizeof head);
-  PixelStore store;
-  store.alignment = 1;
-  store.swap_bytes = head.swap_bytes;
-  const std::byte* const pixels = static_cast<const std::byte*>(payload) + sizeof head;
-  execute(c, head.call, store, head.has_pixels ? pixels : nullptr);
+/// In a list; nullptr: without pixels.
+void play_image(Context& c, ImageCall call, const RecordedPixels* recorded) {
+  if (!recorded) return execute(c, call, PixelStore{}, nullptr);
+  call.type = recorded->type;
+  execute(c, call, recorded->store, recorded->bytes.data());
 }
 
 /// Display lists keep what the pointer points to now (GL 2.1 spec 5.4).
-void record(Context& c, const ImageCall& call, const void* pixels) {
-  RecordedImage head{call, false, c.unpack.swap_bytes};
+void record_image(Context& c, const ImageCall& call, const void* pixels) {
   const ImageSize& size = call.size;
   const bool sized = size.width > 0 && size.height > 0 && size.depth > 0;
-  head.has_pixels = pixels && sized && call.type != GL_BITMAP && !transfer_error(call);
-  const std::size_t row =
-      sized ? static_cast<std::size_t>(size.width) * bytes_per_pixel(call.format, call.type) : 0;
-  const std::size_t rows =
-      sized ? static_cast<std::size_t>(size.height) * static_cast<std::size_t>(size.depth) : 0;
-  auto* to = static_cast<std::byte*>(
-      c.lists.append(&play_image, sizeof head + (head.has_pixels ? row * rows : 0)));
-  std::memcpy(to, &head, sizeof head);
-  if (!head.has_pixels) return;
-  to += sizeof head;
-  PixelStore store = c.unpack;
-  if (call.dimensions < 3) store.skip_images = store.image_height = 0;
-  const ImageRows at = image_rows(store, size, call.format, call.type);
-  for (std::size_t i = 0; i < rows; ++i, to += row) {
-    const auto height = static_cast<std::size_t>(size.height);
-    std::memcpy(to, static_cast<const std::byte*>(pixels) + at(i / height, i % height), row);
+  const RecordedPixels* recorded = nullptr;
+  if (pixels && sized && !transfer_error(call)) {
+    PixelStore store = c.unpack;
+    if (call.dimensions < 3) store.skip_images = store.image_height = 0;
+    const auto kept = std::make_shared<const RecordedPixels>(
+        record_pixels(store, pixels, size, call.format, call.type));
+    c.lists.keep(kept);
+    recorded = kept.get();
   }
+  dispatch<play_image>(call, recorded);
 }
 
 void image_call(const ImageCall& call, const void* pixels) {
@@ -131,10 +107,7 @@ void image_call(const ImageCall& call, const void* pixels) {
   if (!context) return report_no_context();
   const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
   const bool proxy = target && target->proxy;  // executed at once (GL 2.1 spec 5.4)
-  if (context->lists.compiling && !proxy) {
-    record(*context, call, pixels);
-    if (context->lists.mode == GL_COMPILE) return;
-  }
+  if (context->lists.compiling && !proxy) return record_image(*context, call, pixels);
   execute(*context, call, context->unpack, pixels);
 }
 

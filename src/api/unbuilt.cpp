@@ -135,38 +135,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglEvalPoint2(GLint, GLint) {
   report_unbuilt("glEvalPoint2");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelZoom(GLfloat, GLfloat) {
-  report_unbuilt("glPixelZoom");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelTransferf(GLenum, GLfloat) {
-  report_unbuilt("glPixelTransferf");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelTransferi(GLenum, GLint) {
-  report_unbuilt("glPixelTransferi");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelMapfv(GLenum, GLsizei, const GLfloat *) {
-  report_unbuilt("glPixelMapfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelMapuiv(GLenum, GLsizei, const GLuint *) {
-  report_unbuilt("glPixelMapuiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPixelMapusv(GLenum, GLsizei, const GLushort *) {
-  report_unbuilt("glPixelMapusv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) {
-  report_unbuilt("glCopyPixels");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void *) {
-  report_unbuilt("glDrawPixels");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapdv(GLenum, GLenum, GLdouble *) {
   report_unbuilt("glGetMapdv");
 }
@@ -177,18 +145,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapfv(GLenum, GLenum, GLfloat *) {
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetMapiv(GLenum, GLenum, GLint *) {
   report_unbuilt("glGetMapiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPixelMapfv(GLenum, GLfloat *) {
-  report_unbuilt("glGetPixelMapfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPixelMapuiv(GLenum, GLuint *) {
-  report_unbuilt("glGetPixelMapuiv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPixelMapusv(GLenum, GLushort *) {
-  report_unbuilt("glGetPixelMapusv");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPolygonStipple(GLubyte *) {

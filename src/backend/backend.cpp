@@ -30,7 +30,8 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles
       arrays_(driver),
       meshes_(driver),
       buffer_arrays_(driver),
-      bitmaps_(driver) {
+      bitmaps_(driver),
+      pixel_texture_(driver) {
   // Mesa's software driver multiplies and adds as C++ does; others may fuse the two.
   const auto* const renderer = reinterpret_cast<const char*>(driver.GetString(GL_RENDERER));
   transforms_as_shaders_ = renderer && std::strstr(renderer, "llvmpipe");

@@ -8,6 +8,7 @@
 #include "backend/derive.hpp"
 #include "backend/driver.hpp"
 #include "backend/mesh_buffers.hpp"
+#include "backend/pixel_texture.hpp"
 #include "backend/program_cache.hpp"
 #include "backend/query_objects.hpp"
 #include "backend/raster.hpp"
@@ -69,11 +70,17 @@ class Backend {
   void add_bitmap(Context& context, GLint x, GLint y, const BitmapImage& image);
   void draw_bitmaps(Context& context);
 
+  /// Draws the image at the current raster position, zoomed (GL 2.1 spec 3.6.4). Nothing waits.
+  void draw_pixels(Context& context, const PixelImage& image);
+
   const Driver driver;
 
  private:
+  void draw_tile(Context& context, const PixelImage& image, const PixelTile& tile);
+  void draw_stencil(Context& context, const PixelRectangle& covered);
+  /// `coordinates`: of the raster position, for textures.
   void draw_pixel_quads(Context& context, PixelSource source, const std::vector<float>& vertices,
-                        const RasterState& raster);
+                        const RasterState& raster, const RasterTextureCoordinates& coordinates);
   void prepare(Context& context, const VertexLayout& layout);
   /// Brings the driver up to what is derived.
   void apply_derived(Context& context);
@@ -114,6 +121,9 @@ class Backend {
   BufferArrays buffer_arrays_;
   RasterApplier raster_;
   Bitmaps bitmaps_;
+  /// Of the bitmaps that wait; it matters where they are textured.
+  RasterTextureCoordinates bitmap_texture_coordinates_ = kInitialTextureCoordinates;
+  PixelTexture pixel_texture_;
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
   bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours

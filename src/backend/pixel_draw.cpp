@@ -1,8 +1,10 @@
 // Bitmaps and pixel rectangles: quads in window coordinates, whose fragments go the way of all
 // others (GL 2.1 spec 3.6.4, 3.7).
 #include <algorithm>
+#include <cmath>
 
 #include "backend/backend.hpp"
+#include "shadergen/attributes.hpp"
 
 namespace legacy_gl {
 
@@ -24,10 +26,29 @@ RasterState pixel_raster(const RasterState& raster) {
   return pixels;
 }
 
-/// What of the state's key still matters. The distance is the raster position's.
-ProgramKey pixel_key(const Context& context, const FragmentKey& fragments, PixelSource source) {
+/// Units, whose coordinates are the raster position's: generated and transformed when it was set.
+TextureKey pixel_textures(const TextureKey& textures, const RasterTextureCoordinates& coordinates) {
+  TextureKey key = textures;
+  key.normalize = false;
+  for (unsigned unit = 0; unit < key.count; ++unit) {
+    TextureStageKey& stage = key.stages[unit];
+    stage.sources = {};
+    stage.matrix = false;
+    stage.projective = stage.kind != TextureKind::kNone && stage.kind != TextureKind::kCube &&
+                       coordinates[unit].w != 1;
+  }
+  return key;
+}
+
+/// What of the state's key still matters. The distance is the raster position's. Stencil indices go
+/// to their buffer as they are (GL 2.1 spec 3.6.4).
+ProgramKey pixel_key(const Context& context, const ProgramKey& state, PixelSource source,
+                     const RasterTextureCoordinates& coordinates) {
   ProgramKey key;
   key.pixels = source;
+  if (source == PixelSource::kStencil) return key;
+  const FragmentKey& fragments = state.fragments;
+  key.textures = pixel_textures(state.textures, coordinates);
   key.fragments = fragments;
   key.fragments.clip_planes = 0;
   key.fragments.fog_coordinate = fragments.has_fog();
@@ -40,15 +61,18 @@ ProgramKey pixel_key(const Context& context, const FragmentKey& fragments, Pixel
 }  // namespace
 
 void Backend::draw_pixel_quads(Context& context, PixelSource source,
-                               const std::vector<float>& vertices, const RasterState& raster) {
+                               const std::vector<float>& vertices, const RasterState& raster,
+                               const RasterTextureCoordinates& coordinates) {
   const VertexLayout layout = pixel_layout();
   const std::size_t stride = offsets_of(layout).stride * sizeof(float);
   derived_.update(context, Recorder::relevant_layout(context), driver.dialect);
   upload_uniforms(context);
   const auto count = static_cast<GLsizei>(vertices.size() * sizeof(float) / stride);
-  if (!use_program(context, pixel_key(context, derived_.key.fragments, source),
-                   static_cast<std::uint64_t>(count)))
-    return;
+  const ProgramKey key = pixel_key(context, derived_.key, source, coordinates);
+  if (!use_program(context, key, static_cast<std::uint64_t>(count))) return;
+  if (key.textures.count) textures_.bind(active_textures(context));
+  for (unsigned unit = 0; unit < key.textures.count; ++unit)
+    driver.VertexAttrib4fv(texcoord_location(unit), &coordinates[unit][0]);
   raster_.apply(driver, raster, 0);
   context.dirty |= kDirtyRaster;  // the viewport of other primitives returns with the next draw
   const std::size_t offset =
@@ -61,14 +85,110 @@ void Backend::draw_pixel_quads(Context& context, PixelSource source,
 
 void Backend::draw_bitmaps(Context& context) {
   context.bitmaps_pending = false;
-  driver.ActiveTexture(GL_TEXTURE0 + kPixelTextureUnit);
+  textures_.select_unit(kPixelTextureUnit);
   bitmaps_.bind();
-  draw_pixel_quads(context, PixelSource::kBitmap, bitmaps_.vertices(),
-                   pixel_raster(context.raster));
+  draw_pixel_quads(context, PixelSource::kBitmap, bitmaps_.vertices(), pixel_raster(context.raster),
+                   bitmap_texture_coordinates_);
   bitmaps_.clear();
 }
 
+namespace {
+
+/// The whole pixels whose centres lie between the two, or on the lower one.
+struct Covered {
+  GLint first, end;
+};
+Covered covered_pixels(float a, float b) {
+  const auto edge = [](float at) {
+    return static_cast<GLint>(
+        std::ceil(std::clamp(at, 0.0f, static_cast<float>(kPixelWindow)) - 0.5f));
+  };
+  return {edge(std::min(a, b)), edge(std::max(a, b))};
+}
+
+/// Two triangles.
+std::vector<float> pixel_quad(const PixelRectangle& at, float s, const RasterPosition& raster) {
+  std::vector<float> vertices;
+  const auto corner = [&](GLint dx, GLint dy) {
+    append_pixel_vertex(vertices, static_cast<float>(at.x + dx), static_cast<float>(at.y + dy), s,
+                        0, raster);
+  };
+  corner(0, 0);
+  corner(at.width, 0);
+  corner(at.width, at.height);
+  corner(0, 0);
+  corner(at.width, at.height);
+  corner(0, at.height);
+  return vertices;
+}
+
+/// Only the scissor and the write mask concern stencil indices.
+RasterState stencil_raster(const RasterState& raster, GLuint bits, bool set) {
+  RasterState stencil = pixel_raster(raster);
+  stencil.depth.test_enabled = false;
+  stencil.color_buffer.write_mask = {};
+  stencil.multisample.alpha_to_coverage = stencil.multisample.coverage = false;
+  stencil.stencil.test_enabled = true;
+  stencil.stencil.function = GL_ALWAYS;
+  stencil.stencil.reference = set ? 0xff : 0;
+  stencil.stencil.fail = stencil.stencil.depth_fail = stencil.stencil.depth_pass = GL_REPLACE;
+  stencil.stencil.write_mask = raster.stencil.write_mask & bits;
+  return stencil;
+}
+
+}  // namespace
+
+/// No shader of OpenGL 3.3 writes stencil values: all bits are cleared, and then one is set after
+/// the other where the indices have it.
+void Backend::draw_stencil(Context& context, const PixelRectangle& covered) {
+  const RasterPosition& raster = context.current.raster;
+  const auto draw = [&](GLuint value, GLuint bits) {
+    draw_pixel_quads(context, PixelSource::kStencil,
+                     pixel_quad(covered, static_cast<float>(value), raster),
+                     stencil_raster(context.raster, bits, value != 0), raster.texture_coordinates);
+  };
+  draw(0, 0xff);
+  for (unsigned bit = 0; bit < 8; ++bit)
+    if (context.raster.stencil.write_mask >> bit & 1u) draw(1u << bit, 1u << bit);
+}
+
+void Backend::draw_tile(Context& context, const PixelImage& image, const PixelTile& tile) {
+  const RasterPosition& raster = context.current.raster;
+  const PixelTransfer& transfer = context.pixels.transfer;
+  // To whole pixels, as the reference rounds: row D20 of docs/deviations.md.
+  const float left = std::round(raster.position.x) + transfer.zoom_x * static_cast<float>(tile.x);
+  const float bottom = std::round(raster.position.y) + transfer.zoom_y * static_cast<float>(tile.y);
+  const Covered x = covered_pixels(left, left + transfer.zoom_x * static_cast<float>(tile.width));
+  const Covered y =
+      covered_pixels(bottom, bottom + transfer.zoom_y * static_cast<float>(tile.height));
+  if (x.first >= x.end || y.first >= y.end) return;
+  textures_.select_unit(kPixelTextureUnit);
+  driver.BindSampler(kPixelTextureUnit, 0);
+  pixel_texture_.load(image, tile);
+  const glm::vec4 place(left, bottom, transfer.zoom_x, transfer.zoom_y);
+  driver.VertexAttrib4fv(kLocationPixelPlace, &place[0]);
+  const PixelRectangle covered{x.first, y.first, x.end - x.first, y.end - y.first};
+  if (image.source == PixelSource::kStencil) return draw_stencil(context, covered);
+  draw_pixel_quads(context, image.source, pixel_quad(covered, 0, raster),
+                   pixel_raster(context.raster), raster.texture_coordinates);
+}
+
+void Backend::draw_pixels(Context& context, const PixelImage& image) {
+  constexpr GLsizei kSide = PixelTexture::kMaxSide;
+  for (GLsizei y = 0; y < image.height; y += kSide)
+    for (GLsizei x = 0; x < image.width; x += kSide)
+      draw_tile(context, image,
+                {x, y, std::min(kSide, image.width - x), std::min(kSide, image.height - y)});
+}
+
 void Backend::add_bitmap(Context& context, GLint x, GLint y, const BitmapImage& image) {
+  const RasterTextureCoordinates& coordinates = context.current.raster.texture_coordinates;
+  if (!context.bitmaps_pending) {
+    bitmap_texture_coordinates_ = coordinates;
+  } else if (active_textures(context).mask && bitmap_texture_coordinates_ != coordinates) {
+    draw_bitmaps(context);
+    bitmap_texture_coordinates_ = coordinates;
+  }
   constexpr GLsizei kSide = Bitmaps::kMaxSide;
   for (GLsizei top = 0; top < image.height; top += kSide)
     for (GLsizei left = 0; left < image.width; left += kSide) {

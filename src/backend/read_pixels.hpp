@@ -1,5 +1,8 @@
 #pragma once
+#include <vector>
+
 #include "backend/driver.hpp"
+#include "state/pixel_state.hpp"
 #include "state/raster.hpp"
 
 namespace legacy_gl {
@@ -13,8 +16,17 @@ struct PixelRectangle {
 /// False when no way of the driver's leads to this format: OpenGL ES reads no depth and no stencil.
 bool can_read_pixels(const Driver& driver, GLenum format);
 
-/// Reads into the application's memory as `store` says. The format and the type fit each other.
+/// The driver gives colours away as floats; otherwise the colour buffer has bytes alone.
+bool reads_floats(const Driver& driver);
+
+/// Reads into the application's memory as `store` says, after the pixel transfer operations of
+/// `transfer`. The format and the type fit each other.
 void read_pixels(const Driver& driver, const PixelRectangle& rectangle, const PixelStore& store,
-                 GLenum format, GLenum type, std::byte* pixels);
+                 GLenum format, GLenum type, const PixelState& transfer, std::byte* pixels);
+/// Colours after pixel transfer, four floats each; not clamped where nothing was transferred.
+std::vector<float> read_colors(const Driver& driver, const PixelRectangle& rectangle,
+                               const PixelState& transfer);
+std::vector<float> read_depths(const Driver& driver, const PixelRectangle& rectangle,
+                               const PixelState& transfer);
 
 }  // namespace legacy_gl

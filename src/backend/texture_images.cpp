@@ -54,22 +54,28 @@ bool driver_copies(const Driver& driver, BaseFormat base) {
   }
 }
 
+/// Depths as the red of colours.
+std::vector<float> spread_depths(const std::vector<float>& depths) {
+  std::vector<float> colors(depths.size() * 4);
+  for (std::size_t i = 0; i < depths.size(); ++i) colors[i * 4] = depths[i];
+  return colors;
+}
+
 }  // namespace
 
-/// Texels are bytes without gaps, and no buffer object of the application's is read.
-void Textures::set_unpack_modes() {
-  driver_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-  driver_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  driver_.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  driver_.PixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-  driver_.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-  driver_.PixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
-  driver_.PixelStorei(GL_UNPACK_SKIP_IMAGES, 0);
+void set_unpack_modes(const Driver& driver) {
+  driver.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  driver.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  driver.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  driver.PixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+  driver.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+  driver.PixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
+  driver.PixelStorei(GL_UNPACK_SKIP_IMAGES, 0);
 }
 
 bool Textures::define(const ImagePlace& place, const TextureImage& image, const Texels* texels) {
   bind_to_change(place.texture);
-  set_unpack_modes();
+  set_unpack_modes(driver_);
   place.texture.images.at(place.face, place.level) = image;
   place.texture.parameters_stale = true;
   const auto storage = static_cast<GLint>(storage_format(driver_, image.format));
@@ -93,7 +99,7 @@ bool Textures::define(const ImagePlace& place, const TextureImage& image, const 
 void Textures::replace(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
                        const Texels& texels) {
   bind_to_change(place.texture);
-  set_unpack_modes();
+  set_unpack_modes(driver_);
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
   const GLenum format = transfer_format(base), type = transfer_type(texels.type);
   if (place.texture.target == kTexture3D)
@@ -104,14 +110,16 @@ void Textures::replace(const ImagePlace& place, const ImageOffset& offset, const
                           size.height, format, type, texels.data.data());
 }
 
-void Textures::copy(const ImagePlace& place, const ImageOffset& offset,
-                    const PixelRectangle& from) {
+void Textures::copy(const ImagePlace& place, const ImageOffset& offset, const PixelRectangle& from,
+                    const PixelState& transfer) {
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
-  if (!driver_copies(driver_, base)) {
-    std::vector<float> colors(static_cast<std::size_t>(from.width) *
-                              static_cast<std::size_t>(from.height) * 4);
-    read_pixels(driver_, from, PixelStore{}, GL_RGBA, GL_FLOAT,
-                reinterpret_cast<std::byte*>(colors.data()));
+  const bool depth = base == BaseFormat::kDepth;
+  const bool changes = depth ? transfer.changes_depths() : transfer.changes_colors();
+  if (changes || !driver_copies(driver_, base)) {
+    driver_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    std::vector<float> colors =
+        depth ? read_depths(driver_, from, transfer) : read_colors(driver_, from, transfer);
+    if (depth) colors = spread_depths(colors);
     replace(place, offset, {from.width, from.height, 1},
             texels_of_colors(colors, base, takes_bytes_only()));
     return;

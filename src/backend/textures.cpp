@@ -42,9 +42,13 @@ void Textures::forget_bindings() {
   samplers_unbound_ = false;
 }
 
-void Textures::bind_unit(unsigned unit, TextureObject& texture) {
+void Textures::select_unit(unsigned unit) {
   if (active_unit_ != unit) driver_.ActiveTexture(GL_TEXTURE0 + unit);
   active_unit_ = unit;
+}
+
+void Textures::bind_unit(unsigned unit, TextureObject& texture) {
+  select_unit(unit);
   if (!texture.driver_name) {
     driver_.GenTextures(1, &texture.driver_name);
     texture.delete_driver_texture = driver_.DeleteTextures;

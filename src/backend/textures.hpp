@@ -22,6 +22,9 @@ struct ImageOffset {
   GLint x = 0, y = 0, z = 0;
 };
 
+/// Texels come without gaps, and no buffer object of the application's is read.
+void set_unpack_modes(const Driver& driver);
+
 /// Textures in the driver: their images, their parameters, and which are bound to its units.
 class Textures {
  public:
@@ -30,6 +33,8 @@ class Textures {
   /// Binds what the units draw with, its parameters up to date.
   void bind(const ActiveTextures& active);
   void forget_bindings();
+  /// Makes a unit active for what is not a texture object.
+  void select_unit(unsigned unit);
 
   /// Gives the image size and format, and texels unless it is nullptr. False when the driver has no
   /// memory for it.
@@ -37,7 +42,8 @@ class Textures {
   void replace(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
                const Texels& texels);
   /// From the framebuffer, whose rectangle starts at `from`. `window` bounds what it has.
-  void copy(const ImagePlace& place, const ImageOffset& offset, const PixelRectangle& from);
+  void copy(const ImagePlace& place, const ImageOffset& offset, const PixelRectangle& from,
+            const PixelState& transfer);
   /// The image's colours, four floats a texel.
   std::vector<float> read(const ImagePlace& place);
   /// All levels above the base level (GL 2.1 spec 3.8.8), in the driver and in `images`.
@@ -54,7 +60,6 @@ class Textures {
   void bind_to_change(TextureObject& texture);
   void bind_unit(unsigned unit, TextureObject& texture);
   void apply_parameters(TextureObject& texture);
-  void set_unpack_modes();
   std::vector<float> read_from_framebuffer(const ImagePlace& place, const TextureImage& image);
 
   const Driver& driver_;

@@ -12,6 +12,7 @@ enum AttributeLocation : unsigned {
   kLocationColor = 2,
   kLocationSecondaryColor = 3,
   kLocationLightingPosition = 4,
+  kLocationPixelPlace = kLocationLightingPosition,  ///< of pixel rectangles
   kLocationDepthOffset = 5,
   /// Polygon offset of unfilled polygons goes first where both are asked for.
   kLocationFogCoord = kLocationDepthOffset,

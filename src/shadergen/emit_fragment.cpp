@@ -19,12 +19,24 @@ FragmentColors emit_face(Writer& w, const ProgramKey& key) {
 
 /// The pixel of a pixel rectangle that the fragment belongs to (GL 2.1 spec 3.6.4, 3.7).
 void emit_pixel(Writer& w, const ProgramKey& key, FragmentColors& colors) {
-  static constexpr const char* kPixel = "texelFetch(pixel_texture, ivec2(texel), 0)";
+  if (is_zoomed(key.pixels)) {
+    // A pixel of the image belongs to the fragments whose centres are in its rectangle, or on the
+    // left or bottom edge of it. `place` has the image's corner and the zoom.
+    w.line("vec2 at = (gl_FragCoord.xy - place.xy) / place.zw;");
+    w.line("vec2 pixel = mix(ceil(at) - 1.0, floor(at), greaterThan(place.zw, vec2(0.0)));");
+  }
+  const std::string pixel_value = "texelFetch(pixel_texture, ivec2(" +
+                                  std::string(is_zoomed(key.pixels) ? "pixel" : "texel") + "), 0)";
   switch (key.pixels) {
     case PixelSource::kNone: break;
-    case PixelSource::kBitmap: w.line(std::string("if (") + kPixel + ".r == 0.0) discard;"); break;
-    case PixelSource::kColors: colors.primary = kPixel; break;
-    case PixelSource::kDepths: w.line(std::string("gl_FragDepth = ") + kPixel + ".r;"); break;
+    case PixelSource::kBitmap: w.line("if (" + pixel_value + ".r == 0.0) discard;"); break;
+    case PixelSource::kColors: colors.primary = pixel_value; break;
+    case PixelSource::kDepths: w.line("gl_FragDepth = " + pixel_value + ".r;"); break;
+    case PixelSource::kStencil:  // texel: the bit's value, or 0 for all fragments
+      w.line("float index = floor(" + pixel_value + ".r * 255.0 + 0.5);");
+      w.line("float value = floor(texel.x + 0.5);");
+      w.line("if (value > 0.0 && mod(floor(index / value), 2.0) == 0.0) discard;");
+      break;
   }
 }
 
@@ -54,7 +66,9 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   emit_samplers(w, key.textures, dialect);
   w.blank();
   if (key.per_fragment) emit_lighting_functions(w, key);
-  if (key.pixels != PixelSource::kNone) w.line("uniform sampler2D pixel_texture;");
+  if (key.pixels != PixelSource::kNone)
+    w.line(std::string("uniform ") + (dialect == Dialect::kEs300 ? "highp " : "") +
+           "sampler2D pixel_texture;");
   w.line("layout(location = 0) out vec4 fragment_color;");
   w.blank();
   w.open("void main() {");

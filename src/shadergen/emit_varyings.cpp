@@ -20,6 +20,7 @@ void emit_color_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
   if (key.two_side) w.line(start + " vec4 back_color;");
   if (has_secondary(key)) w.line(start + " vec3 front_secondary;");
   if (key.pixels != PixelSource::kNone) w.line(direction + " vec2 texel;");
+  if (is_zoomed(key.pixels)) w.line("flat " + direction + " vec4 place;");
   if (has_secondary(key) && key.two_side) w.line(start + " vec3 back_secondary;");
 }
 

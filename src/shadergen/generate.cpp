@@ -26,6 +26,7 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
   emit_input(w, kLocationPosition, "vec4", "position");
   if (key.lit || key.textures.reads_normal()) emit_input(w, kLocationNormal, "vec3", "normal");
   if (key.pixels != PixelSource::kNone) emit_input(w, kLocationTexel, "vec2", "texel_position");
+  if (is_zoomed(key.pixels)) emit_input(w, kLocationPixelPlace, "vec4", "pixel_place");
   if (key.lighting_position) emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
   if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
   if (key.fragments.fog_coordinate) emit_input(w, kLocationFogCoord, "float", "fog_coordinate");
@@ -83,6 +84,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   w.open("void main() {");
   w.line(pixels ? "gl_Position = position;" : "gl_Position = modelview_projection * position;");
   if (pixels) w.line("texel = texel_position;");
+  if (is_zoomed(key.pixels)) w.line("place = pixel_place;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
   if (key.points) emit_point(w, dialect);
   emit_clip_distances(w, key.fragments, dialect);

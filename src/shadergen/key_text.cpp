@@ -41,7 +41,7 @@ void for_each_field(Key& key, Visit visit) {
         &key.separate_specular, &key.position4, &key.points, &key.per_fragment, &key.scaled_sums,
         &key.angle_error, &key.back_only, &key.lighting_position, &key.depth_offset})
     visit(*flag, 2);
-  visit(key.pixels, 4);
+  visit(key.pixels, 5);
   visit(key.space, 3);
   visit(key.normal, 4);
   visit(key.quality, 3);

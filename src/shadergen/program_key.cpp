@@ -122,7 +122,8 @@ std::string describe(const ProgramKey& key) {
   if (key.lighting_position) append(text, "lit at a position of its own");
   if (key.depth_offset) append(text, "depth offset");
   describe_fragments(text, key.fragments);
-  static constexpr const char* kPixels[] = {"", "bitmap", "pixels", "depth pixels"};
+  static constexpr const char* kPixels[] = {"", "bitmap", "pixels", "depth pixels",
+                                            "stencil pixels"};
   if (key.pixels != PixelSource::kNone) append(text, kPixels[static_cast<unsigned>(key.pixels)]);
   if (key.textures.count) append(text, describe(key.textures));
   return text;

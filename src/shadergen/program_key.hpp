@@ -61,8 +61,13 @@ enum class PixelSource : std::uint8_t {
   kNone,    ///< no pixel rectangle
   kBitmap,  ///< whether there is a fragment
   kColors,  ///< the colour
-  kDepths   ///< the depth
+  kDepths,  ///< the depth
+  kStencil  ///< whether there is a fragment: those whose index has a bit set
 };
+
+/// Glyphs lie in a texture together and have quads of their own; other images fill the texture, and
+/// the quad is as large as the zoom makes them.
+constexpr bool is_zoomed(PixelSource source) { return source > PixelSource::kBitmap; }
 
 /// Everything that chooses the text of a program, and nothing else. Normalised: a field that cannot
 /// matter is zero.

@@ -106,6 +106,7 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
   if (mask & GL_TEXTURE_BIT) save_textures(context, level.texture);
   level.color_sum_enabled = context.color_sum_enabled;
   level.read_buffer = context.read_buffer;
+  level.pixel_transfer = context.pixels.transfer;
   if (mask & GL_ENABLE_BIT) save_enables(context, level.enables);
 }
 
@@ -131,8 +132,10 @@ void restore_attributes(Context& context, const SavedAttributes& level) {
   if (mask & GL_HINT_BIT) context.hints = level.hints;
   if (mask & GL_LIST_BIT) context.lists.base = level.list_base;
   if (mask & GL_TEXTURE_BIT) restore_textures(context, level.texture);
-  if (mask & GL_PIXEL_MODE_BIT && context.read_buffer != level.read_buffer)
-    set_read_buffer(context, level.read_buffer);
+  if (mask & GL_PIXEL_MODE_BIT) {
+    context.pixels.transfer = level.pixel_transfer;
+    if (context.read_buffer != level.read_buffer) set_read_buffer(context, level.read_buffer);
+  }
 }
 
 void save_client_attributes(const Context& context, GLbitfield mask, SavedClientAttributes& level) {

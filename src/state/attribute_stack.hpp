@@ -8,6 +8,7 @@
 #include "state/current.hpp"
 #include "state/fog.hpp"
 #include "state/gl_types.hpp"
+#include "state/pixel_state.hpp"
 #include "state/raster.hpp"
 #include "texture/texture_state.hpp"
 
@@ -44,6 +45,7 @@ struct SavedAttributes {
   TextureGroup texture;
   bool color_sum_enabled = false;
   GLenum read_buffer = GL_NONE;
+  PixelTransfer pixel_transfer;
   std::vector<std::uint8_t> enables;  ///< in the order of enable_group()
 };
 

@@ -17,6 +17,7 @@
 #include "state/current.hpp"
 #include "state/dirty.hpp"
 #include "state/fog.hpp"
+#include "state/pixel_state.hpp"
 #include "state/raster.hpp"
 #include "texture/bitmap_image.hpp"
 #include "texture/texture_state.hpp"
@@ -57,6 +58,7 @@ struct legacy_gl_context {
   legacy_gl::TextureState texture;
   legacy_gl::HintState hints;
   legacy_gl::PixelStore pack, unpack;
+  legacy_gl::PixelState pixels;
   GLenum read_buffer = GL_FRONT;  ///< set when the framebuffer is known
   legacy_gl::ClientArrays arrays;
   legacy_gl::AttributeStacks attribute_stacks;

@@ -27,36 +27,6 @@ constexpr Query kTexture[] = {
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
 };
 
-constexpr Query kPixelTransfer[] = {
-    {GL_MAP_COLOR, kBoolean, fixed<0>},
-    {GL_MAP_STENCIL, kBoolean, fixed<0>},
-    {GL_INDEX_SHIFT, kInteger, fixed<0>},
-    {GL_INDEX_OFFSET, kInteger, fixed<0>},
-    {GL_RED_SCALE, kFloat, fixed<1>},
-    {GL_GREEN_SCALE, kFloat, fixed<1>},
-    {GL_BLUE_SCALE, kFloat, fixed<1>},
-    {GL_ALPHA_SCALE, kFloat, fixed<1>},
-    {GL_DEPTH_SCALE, kFloat, fixed<1>},
-    {GL_RED_BIAS, kFloat, fixed<0>},
-    {GL_GREEN_BIAS, kFloat, fixed<0>},
-    {GL_BLUE_BIAS, kFloat, fixed<0>},
-    {GL_ALPHA_BIAS, kFloat, fixed<0>},
-    {GL_DEPTH_BIAS, kFloat, fixed<0>},
-    {GL_ZOOM_X, kFloat, fixed<1>},
-    {GL_ZOOM_Y, kFloat, fixed<1>},
-    {GL_PIXEL_MAP_I_TO_I_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_S_TO_S_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_I_TO_R_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_I_TO_G_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_I_TO_B_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_I_TO_A_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_R_TO_R_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_G_TO_G_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_B_TO_B_SIZE, kInteger, fixed<1>},
-    {GL_PIXEL_MAP_A_TO_A_SIZE, kInteger, fixed<1>},
-    {GL_MAX_PIXEL_MAP_TABLE, kInteger, fixed<256>},
-};
-
 constexpr Query kEvaluatorsAndSelection[] = {
     {GL_MAX_EVAL_ORDER, kInteger, fixed<30>},
     {GL_MAP1_GRID_DOMAIN, kFloat, fixed<0, 1>},
@@ -82,7 +52,7 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture, kPixelTransfer,
+  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture,
                                                        kEvaluatorsAndSelection, kAbsentBuffers};
   return kGroups;
 }

@@ -227,6 +227,55 @@ constexpr Query kPixelStore[] = {
     {GL_PACK_SKIP_IMAGES, kInteger, [](Context& c, QueryValues& v) { v.put(c.pack.skip_images); }},
 };
 
+template <unsigned Channel>
+void scale_of(Context& c, QueryValues& v) {
+  v.put(static_cast<double>(c.pixels.transfer.scale[Channel]));
+}
+template <unsigned Channel>
+void bias_of(Context& c, QueryValues& v) {
+  v.put(static_cast<double>(c.pixels.transfer.bias[Channel]));
+}
+template <unsigned Map>
+void map_size(Context& c, QueryValues& v) {
+  v.put(static_cast<double>(c.pixels.maps[Map].size()));
+}
+
+constexpr Query kPixelTransfer[] = {
+    {GL_MAP_COLOR, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.map_color); }},
+    {GL_MAP_STENCIL, kBoolean,
+     [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.map_stencil); }},
+    {GL_INDEX_SHIFT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.index_shift); }},
+    {GL_INDEX_OFFSET, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.index_offset); }},
+    {GL_RED_SCALE, kFloat, scale_of<0>},
+    {GL_GREEN_SCALE, kFloat, scale_of<1>},
+    {GL_BLUE_SCALE, kFloat, scale_of<2>},
+    {GL_ALPHA_SCALE, kFloat, scale_of<3>},
+    {GL_RED_BIAS, kFloat, bias_of<0>},
+    {GL_GREEN_BIAS, kFloat, bias_of<1>},
+    {GL_BLUE_BIAS, kFloat, bias_of<2>},
+    {GL_ALPHA_BIAS, kFloat, bias_of<3>},
+    {GL_DEPTH_SCALE, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.depth_scale); }},
+    {GL_DEPTH_BIAS, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.depth_bias); }},
+    {GL_ZOOM_X, kFloat, [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.zoom_x); }},
+    {GL_ZOOM_Y, kFloat, [](Context& c, QueryValues& v) { v.put(c.pixels.transfer.zoom_y); }},
+    {GL_PIXEL_MAP_I_TO_I_SIZE, kInteger, map_size<kMapIToI>},
+    {GL_PIXEL_MAP_S_TO_S_SIZE, kInteger, map_size<kMapSToS>},
+    {GL_PIXEL_MAP_I_TO_R_SIZE, kInteger, map_size<kMapIToR>},
+    {GL_PIXEL_MAP_I_TO_G_SIZE, kInteger, map_size<kMapIToG>},
+    {GL_PIXEL_MAP_I_TO_B_SIZE, kInteger, map_size<kMapIToB>},
+    {GL_PIXEL_MAP_I_TO_A_SIZE, kInteger, map_size<kMapIToA>},
+    {GL_PIXEL_MAP_R_TO_R_SIZE, kInteger, map_size<kMapRToR>},
+    {GL_PIXEL_MAP_G_TO_G_SIZE, kInteger, map_size<kMapGToG>},
+    {GL_PIXEL_MAP_B_TO_B_SIZE, kInteger, map_size<kMapBToB>},
+    {GL_PIXEL_MAP_A_TO_A_SIZE, kInteger, map_size<kMapAToA>},
+    {GL_MAX_PIXEL_MAP_TABLE, kInteger, [](Context&, QueryValues& v) { v.put(kMaxPixelMapTable); }},
+};
+
 constexpr Query kAttributeStacks[] = {
     {GL_ATTRIB_STACK_DEPTH, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.attribute_stacks.server.depth()); }},
@@ -275,9 +324,9 @@ constexpr Query kListsAndHints[] = {
 
 QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
-      kCurrentValues, kRasterPosition,  kTransform,      kLighting,
-      kRasterization, kStencilAndDepth, kColorBuffer,    kPixelStore,
-      kListsAndHints, kFogAndClipping,  kAttributeStacks};
+      kCurrentValues, kRasterPosition,  kTransform,       kLighting,
+      kRasterization, kStencilAndDepth, kColorBuffer,     kPixelStore,
+      kListsAndHints, kFogAndClipping,  kAttributeStacks, kPixelTransfer};
   return kGroups;
 }
 

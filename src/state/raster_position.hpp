@@ -7,8 +7,10 @@ namespace legacy_gl {
 
 inline constexpr unsigned kMaxTextureUnits = 8;
 
-inline constexpr std::array<glm::vec4, kMaxTextureUnits> kInitialTextureCoordinates = [] {
-  std::array<glm::vec4, kMaxTextureUnits> coordinates{};
+using RasterTextureCoordinates = std::array<glm::vec4, kMaxTextureUnits>;
+
+inline constexpr RasterTextureCoordinates kInitialTextureCoordinates = [] {
+  RasterTextureCoordinates coordinates{};
   coordinates.fill(glm::vec4(0, 0, 0, 1));
   return coordinates;
 }();
@@ -22,7 +24,7 @@ struct RasterPosition {
   glm::vec4 color{1, 1, 1, 1};
   glm::vec3 secondary_color{0, 0, 0};
   float index = 1;
-  std::array<glm::vec4, kMaxTextureUnits> texture_coordinates = kInitialTextureCoordinates;
+  RasterTextureCoordinates texture_coordinates = kInitialTextureCoordinates;
 };
 
 }  // namespace legacy_gl

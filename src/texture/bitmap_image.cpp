@@ -26,14 +26,18 @@ BitmapImage BitmapImage::part(GLsizei x, GLsizei y, GLsizei part_width, GLsizei 
   return image;
 }
 
+std::size_t bitmap_stride(const PixelStore& store, GLsizei width) {
+  const auto bits = static_cast<std::size_t>(store.row_length > 0 ? store.row_length : width);
+  const auto alignment = static_cast<std::size_t>(store.alignment);
+  return (bits + 8 * alignment - 1) / (8 * alignment) * alignment;
+}
+
 void unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height, const GLubyte* pixels,
                    BitmapImage& image) {
   image.width = width;
   image.height = height;
   const auto size = [](GLint value) { return static_cast<std::size_t>(value); };
-  const std::size_t bits_in_row = size(store.row_length > 0 ? store.row_length : width);
-  const std::size_t alignment = size(store.alignment);
-  const std::size_t stride = (bits_in_row + 8 * alignment - 1) / (8 * alignment) * alignment;
+  const std::size_t stride = bitmap_stride(store, width);
   image.bits.assign(image.row_bytes() * size(height), 0);
   for (std::size_t y = 0; y < size(height); ++y) {
     const GLubyte* const row = pixels + (size(store.skip_rows) + y) * stride;

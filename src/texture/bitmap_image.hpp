@@ -16,6 +16,9 @@ struct BitmapImage {
   BitmapImage part(GLsizei x, GLsizei y, GLsizei part_width, GLsizei part_height) const;
 };
 
+/// Bytes from one row of bits to the next in the application's memory.
+std::size_t bitmap_stride(const PixelStore& store, GLsizei width);
+
 /// From the application's memory (GL 2.1 spec 3.6.4, 3.7).
 void unpack_bitmap(const PixelStore& store, GLsizei width, GLsizei height, const GLubyte* pixels,
                    BitmapImage& image);

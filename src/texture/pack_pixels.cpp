@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "texture/bitmap_image.hpp"
 #include "texture/pixel_format.hpp"
 
 namespace legacy_gl {
@@ -87,6 +88,41 @@ void pack_colors(const float* rgba, std::size_t count, GLenum format, GLenum typ
     for (unsigned i = 0; i < colors.count; ++i, pixels += element)
       store_element(components[i], type, swap_bytes, pixels);
   }
+}
+
+namespace {
+
+void store_index(GLuint index, GLenum type, bool swap_bytes, std::byte* at) {
+  switch (type) {
+    case GL_UNSIGNED_BYTE: return store(static_cast<GLubyte>(index), at, false);
+    case GL_BYTE: return store(static_cast<GLbyte>(index & 0x7fu), at, false);
+    case GL_UNSIGNED_SHORT: return store(static_cast<GLushort>(index), at, swap_bytes);
+    case GL_SHORT: return store(static_cast<GLshort>(index & 0x7fffu), at, swap_bytes);
+    case GL_UNSIGNED_INT: return store(index, at, swap_bytes);
+    case GL_INT: return store(index & 0x7fffffffu, at, swap_bytes);
+    default: return store(static_cast<float>(index), at, swap_bytes);
+  }
+}
+
+}  // namespace
+
+void pack_indices(const GLuint* indices, std::size_t count, GLenum type, bool swap_bytes,
+                  std::byte* pixels) {
+  const std::size_t element = bytes_per_element(type);
+  for (; count > 0; --count, ++indices, pixels += element)
+    store_index(*indices, type, swap_bytes, pixels);
+}
+
+void pack_bits(const PixelStore& store, const GLuint* indices, GLsizei width, GLsizei height,
+               std::byte* pixels) {
+  const std::size_t stride = bitmap_stride(store, width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, ++indices) {
+      const std::size_t at = static_cast<std::size_t>(store.skip_pixels) + x;
+      const auto bit = static_cast<std::byte>(store.lsb_first ? 1u << at % 8 : 0x80u >> at % 8);
+      std::byte& byte = pixels[(static_cast<std::size_t>(store.skip_rows) + y) * stride + at / 8];
+      byte = *indices & 1u ? byte | bit : byte & ~bit;
+    }
 }
 
 }  // namespace legacy_gl

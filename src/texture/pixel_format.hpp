@@ -47,4 +47,11 @@ ImageLayout image_layout(const PixelStore& store, GLsizei width, GLenum format, 
 void pack_colors(const float* rgba, std::size_t count, GLenum format, GLenum type, bool swap_bytes,
                  std::byte* pixels);
 
+/// Stencil indices to a type other than GL_BITMAP, as many bits as it has (GL 2.1 spec 4.3.2, table
+/// 4.8); to GL_BITMAP the lowest bit.
+void pack_indices(const GLuint* indices, std::size_t count, GLenum type, bool swap_bytes,
+                  std::byte* pixels);
+void pack_bits(const PixelStore& store, const GLuint* indices, GLsizei width, GLsizei height,
+               std::byte* pixels);
+
 }  // namespace legacy_gl

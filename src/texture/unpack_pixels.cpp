@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "texture/pixel_format.hpp"
+#include "texture/pixel_transfer.hpp"
+#include "texture/recorded_pixels.hpp"
 
 namespace legacy_gl {
 
@@ -176,32 +178,122 @@ void unpack_colors(const std::byte* pixels, std::size_t count, GLenum format, GL
   }
 }
 
+namespace {
+
+GLuint load_index(const std::byte* at, GLenum type, bool swap_bytes) {
+  switch (type) {
+    case GL_UNSIGNED_BYTE: return load<GLubyte>(at, false);
+    case GL_BYTE: return static_cast<GLuint>(load<GLbyte>(at, false));
+    case GL_UNSIGNED_SHORT: return load<GLushort>(at, swap_bytes);
+    case GL_SHORT: return static_cast<GLuint>(load<GLshort>(at, swap_bytes));
+    case GL_UNSIGNED_INT:
+    case GL_INT: return load<GLuint>(at, swap_bytes);
+    default: break;
+  }
+  const float value = load<GLfloat>(at, swap_bytes);
+  return std::abs(value) < 2147483648.0f ? static_cast<GLuint>(static_cast<GLint>(value)) : 0u;
+}
+
+/// Calls `row(from)` for each row of the image, the bottom one first.
+template <typename Row>
+void for_each_row(const PixelStore& store, const void* pixels, const ImageSize& size, GLenum format,
+                  GLenum type, Row row) {
+  const ImageRows rows = image_rows(store, size, format, type);
+  const auto* const bytes = static_cast<const std::byte*>(pixels);
+  for (std::size_t image = 0; image < static_cast<std::size_t>(size.depth); ++image)
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
+      row(bytes + rows(image, y));
+}
+
+/// A row as colours after pixel transfer, or its depths in red.
+void unpack_transferred(const std::byte* from, std::size_t width, GLenum format, GLenum type,
+                        bool swap_bytes, const PixelState& transfer, std::vector<GLuint>& indices,
+                        float* rgba) {
+  if (format == GL_COLOR_INDEX) {
+    indices.resize(width);
+    unpack_indices(from, width, type, swap_bytes, indices.data());
+    return transfer_indices(transfer, indices.data(), width, rgba);
+  }
+  unpack_colors(from, width, format, type, swap_bytes, rgba);
+  if (format != GL_DEPTH_COMPONENT) return transfer_colors(transfer, rgba, width);
+  if (!transfer.changes_depths()) return;
+  for (std::size_t i = 0; i < width; ++i) transfer_depths(transfer, rgba + 4 * i, 1);
+}
+
+}  // namespace
+
+void unpack_indices(const std::byte* pixels, std::size_t count, GLenum type, bool swap_bytes,
+                    GLuint* indices) {
+  const std::size_t element = bytes_per_element(type);
+  for (; count > 0; --count, pixels += element, ++indices)
+    *indices = load_index(pixels, type, swap_bytes);
+}
+
 Texels unpack_texels(const PixelStore& store, const void* pixels, const ImageSize& size,
-                     GLenum format, GLenum type, BaseFormat base, bool bytes_only) {
-  const bool bytes = type == GL_UNSIGNED_BYTE;
+                     GLenum format, GLenum type, BaseFormat base, bool bytes_only,
+                     const PixelState& transfer) {
+  if (type == GL_BITMAP) {
+    const RecordedPixels indices = record_pixels(store, pixels, size, format, type);
+    return unpack_texels(indices.store, indices.bytes.data(), size, format, indices.type, base,
+                         bytes_only, transfer);
+  }
+  const bool bytes =
+      type == GL_UNSIGNED_BYTE && format != GL_COLOR_INDEX && !transfer.changes_colors();
   Texels::Type target = bytes || bytes_only ? Texels::Type::kBytes : Texels::Type::kFloats;
   if (base == BaseFormat::kDepth) target = Texels::Type::kDepths;
   Texels texels = make_texels(base, target, size.texels());
-  const ImageRows rows = image_rows(store, size, format, type);
-  const auto* const bytes_of_image = static_cast<const std::byte*>(pixels);
   const auto width = static_cast<std::size_t>(size.width);
   const std::size_t row_bytes = width * texels.components * element_size(target);
   const std::array<int, 4> sources = byte_sources(format, base);
   std::vector<float> colors;
+  std::vector<GLuint> indices;
   std::size_t at = 0;
-  for (std::size_t image = 0; image < static_cast<std::size_t>(size.depth); ++image)
-    for (std::size_t row = 0; row < static_cast<std::size_t>(size.height); ++row) {
-      const std::byte* const from = bytes_of_image + rows(image, row);
-      if (bytes && target == Texels::Type::kBytes) {
-        copy_bytes(from, width, bytes_per_pixel(format, type), sources, texels.components,
-                   texels.data.data() + at);
-        at += row_bytes;
-        continue;
-      }
-      colors.resize(width * 4);
-      unpack_colors(from, width, format, type, store.swap_bytes, colors.data());
-      store_colors(colors.data(), width, base, texels, at);
+  for_each_row(store, pixels, size, format, type, [&](const std::byte* from) {
+    if (bytes && target == Texels::Type::kBytes) {
+      copy_bytes(from, width, bytes_per_pixel(format, type), sources, texels.components,
+                 texels.data.data() + at);
+      at += row_bytes;
+      return;
     }
+    colors.resize(width * 4);
+    unpack_transferred(from, width, format, type, store.swap_bytes, transfer, indices,
+                       colors.data());
+    store_colors(colors.data(), width, base, texels, at);
+  });
+  return texels;
+}
+
+Texels unpack_depths(const PixelStore& store, const void* pixels, const ImageSize& size,
+                     GLenum type, const PixelState& transfer) {
+  Texels texels = make_texels(BaseFormat::kLuminance, Texels::Type::kFloats, size.texels());
+  const std::size_t element = bytes_per_element(type);
+  const auto width = static_cast<std::size_t>(size.width);
+  std::vector<float> depths(width);
+  std::size_t at = 0;
+  for_each_row(store, pixels, size, GL_DEPTH_COMPONENT, type, [&](const std::byte* from) {
+    for (std::size_t i = 0; i < width; ++i)
+      depths[i] = load_element(from + i * element, type, store.swap_bytes);
+    transfer_depths(transfer, depths.data(), width);
+    for (const float depth : depths) append(texels.data, at, depth);
+  });
+  return texels;
+}
+
+Texels unpack_stencil(const PixelStore& store, const void* pixels, const ImageSize& size,
+                      GLenum type, const PixelState& transfer) {
+  if (type == GL_BITMAP) {
+    const RecordedPixels indices = record_pixels(store, pixels, size, GL_STENCIL_INDEX, type);
+    return unpack_stencil(indices.store, indices.bytes.data(), size, indices.type, transfer);
+  }
+  Texels texels = make_texels(BaseFormat::kLuminance, Texels::Type::kBytes, size.texels());
+  const auto width = static_cast<std::size_t>(size.width);
+  std::vector<GLuint> indices(width);
+  std::size_t at = 0;
+  for_each_row(store, pixels, size, GL_STENCIL_INDEX, type, [&](const std::byte* from) {
+    unpack_indices(from, width, type, store.swap_bytes, indices.data());
+    transfer_stencil(transfer, indices.data(), width);
+    for (const GLuint index : indices) append(texels.data, at, static_cast<GLubyte>(index & 0xff));
+  });
   return texels;
 }
 

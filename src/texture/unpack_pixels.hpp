@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "state/pixel_state.hpp"
 #include "state/raster.hpp"
 #include "texture/texture_format.hpp"
 
@@ -31,10 +32,21 @@ struct Texels {
 void unpack_colors(const std::byte* pixels, std::size_t count, GLenum format, GLenum type,
                    bool swap_bytes, float* rgba);
 
-/// The image that `pixels` holds under `store`, as texels of `base`. `bytes_only`: the driver takes
-/// colours in bytes alone.
+/// `count` colour or stencil indices of any type but GL_BITMAP; of floats the whole part.
+void unpack_indices(const std::byte* pixels, std::size_t count, GLenum type, bool swap_bytes,
+                    GLuint* indices);
+
+/// The image that `pixels` holds under `store`, after the pixel transfer operations of `transfer`,
+/// as texels of `base`. `bytes_only`: the driver takes colours in bytes alone.
 Texels unpack_texels(const PixelStore& store, const void* pixels, const ImageSize& size,
-                     GLenum format, GLenum type, BaseFormat base, bool bytes_only);
+                     GLenum format, GLenum type, BaseFormat base, bool bytes_only,
+                     const PixelState& transfer);
+
+/// Depths as floats, and stencil indices as bytes, as the driver takes them for pixel rectangles.
+Texels unpack_depths(const PixelStore& store, const void* pixels, const ImageSize& size,
+                     GLenum type, const PixelState& transfer);
+Texels unpack_stencil(const PixelStore& store, const void* pixels, const ImageSize& size,
+                      GLenum type, const PixelState& transfer);
 
 /// Colours, four floats each, as texels of `base`.
 Texels texels_of_colors(std::span<const float> rgba, BaseFormat base, bool bytes_only);

@@ -35,6 +35,7 @@ std::vector<Scene> bitmap_scenes();
 std::vector<Scene> texture_environments_scenes();
 std::vector<Scene> texture_filters_scenes();
 std::vector<Scene> texture_coordinates_scenes();
+std::vector<Scene> pixels_scenes();
 std::vector<Scene> departures_scenes();
 
 }  // namespace legacy_gl::test

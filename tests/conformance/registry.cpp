@@ -32,6 +32,7 @@ const std::vector<Feature>& features() {
       {"texture_environments", texture_environments_scenes()},
       {"texture_filters", texture_filters_scenes()},
       {"texture_coordinates", texture_coordinates_scenes()},
+      {"pixels", pixels_scenes()},
       {"departures", departures_scenes()},
   };
   return all;

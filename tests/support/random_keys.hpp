@@ -14,7 +14,16 @@ class RandomKeys {
 
   ProgramKey next() {
     ProgramKey key = lighting_and_shape();
-    if (key.pixels == PixelSource::kNone && chance(2)) add_textures(key);
+    if (key.pixels == PixelSource::kStencil || chance(2)) return key;
+    add_textures(key);
+    if (key.pixels != PixelSource::kNone) {
+      // Texture coordinates are the raster position's, which were transformed when it was set.
+      for (TextureStageKey& stage : key.textures.stages) {
+        stage.sources = {};
+        stage.matrix = false;
+      }
+      key.textures.normalize = false;
+    }
     return key;
   }
 
@@ -22,7 +31,8 @@ class RandomKeys {
   ProgramKey lighting_and_shape() {
     ProgramKey key;
     if (chance(12)) {
-      key.pixels = static_cast<PixelSource>(1 + below(3));
+      key.pixels = static_cast<PixelSource>(1 + below(4));
+      if (key.pixels == PixelSource::kStencil) return key;
       key.fragments.fog = static_cast<FogMode>(below(4));
       key.fragments.fog_coordinate = key.fragments.has_fog();
       key.fragments.alpha = static_cast<AlphaFunction>(below(8));
