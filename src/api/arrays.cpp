@@ -130,10 +130,14 @@ unsigned pointer_index(GLenum name, unsigned client_unit) {
 void get_pointer(Context& c, GLenum name, void** pointer) {
   if (inside(c)) return;
   const unsigned array = pointer_index(name, c.client_active_texture);
-  // glFeedbackBuffer and glSelectBuffer are not built: their pointers are the initial ones.
-  const bool initial = name == GL_FEEDBACK_BUFFER_POINTER || name == GL_SELECTION_BUFFER_POINTER;
-  if (array == kArrayCount && !initial) return raise_error(c, GL_INVALID_ENUM);
-  if (pointer) *pointer = initial ? nullptr : const_cast<void*>(c.arrays.arrays[array].pointer);
+  // glFeedbackBuffer is not built: its pointer is the initial one.
+  const bool feedback = name == GL_FEEDBACK_BUFFER_POINTER;
+  const bool selection = name == GL_SELECTION_BUFFER_POINTER;
+  if (array == kArrayCount && !feedback && !selection) return raise_error(c, GL_INVALID_ENUM);
+  if (!pointer) return;
+  if (feedback) *pointer = nullptr;
+  else if (selection) *pointer = c.selection.buffer;
+  else *pointer = const_cast<void*>(c.arrays.arrays[array].pointer);
 }
 
 }  // namespace

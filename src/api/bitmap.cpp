@@ -24,7 +24,7 @@ void bitmap(Context& c, const BitmapImage* image, Origin origin, Origin move) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   RasterPosition& raster = c.current.raster;
   if (!raster.valid) return;
-  if (image) {
+  if (image && !c.selection.is_selecting()) {
     if (c.recorder.has_pending()) draw_pending(c);
     c.backend->add_bitmap(c, first_pixel(raster.position.x, origin.x),
                           first_pixel(raster.position.y, origin.y), *image);

@@ -9,6 +9,7 @@
 #include "api/unbuilt.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "immediate/select_batch.hpp"
 #include "state/framebuffer.hpp"
 
 namespace legacy_gl {
@@ -101,12 +102,15 @@ void report_unbuilt(const char* name) {
 }
 
 void leave_matrices(Context& context) {
-  if (context.recorder.has_pending() && !context.backend->transform_recorded(context))
+  if (!context.recorder.has_pending()) return;
+  // Selection takes vertices as they were given.
+  if (context.selection.is_selecting() || !context.backend->transform_recorded(context))
     draw_pending(context);
 }
 
 void draw_pending(Context& context) {
   if (context.recorder.inside_begin_end()) return;
+  if (context.selection.is_selecting()) return select_recorded(context);
   if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
   if (context.recorder.has_pending()) context.backend->draw_recorded(context);
 }

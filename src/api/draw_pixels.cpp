@@ -50,7 +50,9 @@ void draw(Context& c, const PixelCall& call, const PixelStore& store, const void
 
 void draw_pixels(Context& c, const PixelCall& call, const PixelStore& store, const void* pixels) {
   if (const GLenum error = draw_error(c, call)) return raise_error(c, error);
-  if (!c.current.raster.valid || !pixels || !call.width || !call.height) return;
+  if (!c.current.raster.valid || c.selection.is_selecting() || !pixels || !call.width ||
+      !call.height)
+    return;
   PixelStore applied = store;
   applied.skip_images = applied.image_height = 0;
   try {
@@ -101,7 +103,7 @@ void copy_pixels(Context& c, PixelRectangle from, GLenum type) {
     diagnose(c, "glCopyPixels: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
   }
-  if (!c.current.raster.valid || !from.width || !from.height) return;
+  if (!c.current.raster.valid || c.selection.is_selecting() || !from.width || !from.height) return;
   const GLenum element = format == GL_STENCIL_INDEX ? GL_UNSIGNED_BYTE
                          : format == GL_RGBA && !c.pixels.changes_colors() && !reads_floats(driver)
                              ? GL_UNSIGNED_BYTE

@@ -53,6 +53,7 @@ void clear(Context& c, GLbitfield mask) {
   if (mask & ~kKnown) return raise_error(c, GL_INVALID_VALUE);
   if (mask & GL_ACCUM_BUFFER_BIT) diagnose(c, "glClear: the accumulation buffer is not built yet");
   flush_pending(c);
+  if (c.selection.is_selecting()) return;
   c.backend->apply_raster(c);
   c.backend->driver.Clear(mask & ~GLbitfield{GL_ACCUM_BUFFER_BIT});
 }

@@ -18,33 +18,8 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglFeedbackBuffer(GLsizei, GLenum, GLfloat
   report_unbuilt("glFeedbackBuffer");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglSelectBuffer(GLsizei, GLuint *) {
-  report_unbuilt("glSelectBuffer");
-}
-
-LEGACY_GL_API GLint LEGACY_GL_APIENTRY lglRenderMode(GLenum) {
-  report_unbuilt("glRenderMode");
-  return 0;
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglInitNames(void) {
-  report_unbuilt("glInitNames");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglLoadName(GLuint) {
-  report_unbuilt("glLoadName");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPassThrough(GLfloat) {
   report_unbuilt("glPassThrough");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPopName(void) {
-  report_unbuilt("glPopName");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPushName(GLuint) {
-  report_unbuilt("glPushName");
 }
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearAccum(GLfloat, GLfloat, GLfloat, GLfloat) {

@@ -82,7 +82,10 @@ bool draws_from_mapped_buffer(Context& context, bool elements) {
 void draw_arrays(Context& context, const ArrayDraw& draw) {
   if (!context.arrays.arrays[kVertexArray].enabled) return;
   Backend& backend = *context.backend;
-  if (backend.draw_from_buffers(context, draw) || backend.draw_streamed(context, draw)) return;
+  const bool selecting = context.selection.is_selecting();
+  if (!selecting &&
+      (backend.draw_from_buffers(context, draw) || backend.draw_streamed(context, draw)))
+    return;
   ReadableArrays readable(context);
   if (draw.is_indexed())
     submit_elements(context, readable.views(), draw.mode, readable.elements(draw));

@@ -23,6 +23,13 @@ bool before_clip_planes(const ClipPlanes& clip, const glm::vec4& eye) {
   return true;
 }
 
+/// A valid raster position hits as a point does (GL 2.1 spec 5.2).
+void hit(Context& c) {
+  if (!c.selection.is_selecting()) return;
+  flush_pending(c);
+  c.selection.add_hit(c.current.raster.position.z);
+}
+
 float fog_distance(const Context& c, float distance) {
   return c.fog.coordinate_source == GL_FOG_COORD ? c.current.fog_coordinate : distance;
 }
@@ -51,6 +58,7 @@ void raster_position(Context& c, float x, float y, float z, float w) {
   if (!raster.valid) return;
   raster.position = glm::vec4(to_window(c.raster.viewport, clip), clip.w);
   raster.distance = fog_distance(c, glm::length(glm::vec3(eye)));
+  hit(c);
   if (c.lighting.enabled) {
     const LitColor lit = light_vertex(c, object, c.current.normal, kFront);
     raster.color = lit.primary;
@@ -73,6 +81,7 @@ void window_position(Context& c, float x, float y, float z) {
                                                  (viewport.depth_far - viewport.depth_near);
   raster.position = {x, y, static_cast<float>(depth), 1};
   raster.valid = true;
+  hit(c);
   raster.distance = fog_distance(c, 0);
   raster.color = glm::clamp(c.current.color, 0.0f, 1.0f);
   raster.secondary_color = glm::clamp(glm::vec3(c.current.secondary_color), 0.0f, 1.0f);

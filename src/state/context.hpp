@@ -19,6 +19,7 @@
 #include "state/fog.hpp"
 #include "state/pixel_state.hpp"
 #include "state/raster.hpp"
+#include "state/selection.hpp"
 #include "texture/bitmap_image.hpp"
 #include "texture/texture_state.hpp"
 
@@ -57,6 +58,7 @@ struct legacy_gl_context {
   legacy_gl::FogState fog;
   legacy_gl::TextureState texture;
   legacy_gl::HintState hints;
+  legacy_gl::SelectionState selection;
   legacy_gl::PixelStore pack, unpack;
   legacy_gl::PixelState pixels;
   GLenum read_buffer = GL_FRONT;  ///< set when the framebuffer is known
@@ -96,8 +98,8 @@ void raise_error(Context& context, GLenum error);
 /// Says once for each message what a program asked for that this library does not do.
 void diagnose(Context& context, const std::string& message);
 
-/// Draws what is recorded, primitives or bitmaps. Every setter calls it before it stores a value
-/// that differs.
+/// Draws what is recorded, primitives or bitmaps; in selection it only hits. Every setter calls it
+/// before it stores a value that differs.
 void draw_pending(Context& context);
 inline void flush_pending(Context& context) {
   if (context.recorder.has_pending() || context.bitmaps_pending) draw_pending(context);

@@ -27,16 +27,12 @@ constexpr Query kTexture[] = {
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
 };
 
-constexpr Query kEvaluatorsAndSelection[] = {
+constexpr Query kEvaluatorsAndFeedback[] = {
     {GL_MAX_EVAL_ORDER, kInteger, fixed<30>},
     {GL_MAP1_GRID_DOMAIN, kFloat, fixed<0, 1>},
     {GL_MAP1_GRID_SEGMENTS, kInteger, fixed<1>},
     {GL_MAP2_GRID_DOMAIN, kFloat, fixed<0, 1, 0, 1>},
     {GL_MAP2_GRID_SEGMENTS, kInteger, fixed<1, 1>},
-    {GL_RENDER_MODE, kInteger, fixed<GL_RENDER>},
-    {GL_NAME_STACK_DEPTH, kInteger, fixed<0>},
-    {GL_MAX_NAME_STACK_DEPTH, kInteger, fixed<64>},
-    {GL_SELECTION_BUFFER_SIZE, kInteger, fixed<0>},
     {GL_FEEDBACK_BUFFER_SIZE, kInteger, fixed<0>},
     {GL_FEEDBACK_BUFFER_TYPE, kInteger, fixed<GL_2D>},
 };
@@ -53,7 +49,7 @@ constexpr Query kAbsentBuffers[] = {
 
 QueryGroups initial_value_queries() {
   static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture,
-                                                       kEvaluatorsAndSelection, kAbsentBuffers};
+                                                       kEvaluatorsAndFeedback, kAbsentBuffers};
   return kGroups;
 }
 

@@ -299,6 +299,16 @@ constexpr Query kFogAndClipping[] = {
     {GL_MAX_CLIP_PLANES, kInteger, [](Context&, QueryValues& v) { v.put(kMaxClipPlanes); }},
 };
 
+constexpr Query kSelection[] = {
+    {GL_RENDER_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.selection.render_mode); }},
+    {GL_NAME_STACK_DEPTH, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.selection.name_count); }},
+    {GL_MAX_NAME_STACK_DEPTH, kInteger,
+     [](Context&, QueryValues& v) { v.put(SelectionState::kMaxNames); }},
+    {GL_SELECTION_BUFFER_SIZE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.selection.buffer_size)); }},
+};
+
 constexpr Query kListsAndHints[] = {
     {GL_LIST_BASE, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.base); }},
     {GL_LIST_INDEX, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.compiling_name); }},
@@ -324,9 +334,9 @@ constexpr Query kListsAndHints[] = {
 
 QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
-      kCurrentValues, kRasterPosition,  kTransform,       kLighting,
-      kRasterization, kStencilAndDepth, kColorBuffer,     kPixelStore,
-      kListsAndHints, kFogAndClipping,  kAttributeStacks, kPixelTransfer};
+      kCurrentValues,   kRasterPosition, kTransform,  kLighting,      kRasterization,
+      kStencilAndDepth, kColorBuffer,    kPixelStore, kListsAndHints, kFogAndClipping,
+      kAttributeStacks, kPixelTransfer,  kSelection};
   return kGroups;
 }
 
