@@ -25,11 +25,14 @@ glm::vec4 finite(const glm::dvec3& v, double w) {
   return {finite(v.x), finite(v.y), finite(v.z), finite(w)};
 }
 
-/// What float32 rounds off; 0 of a value that is not finite.
-glm::vec4 low(const glm::dvec3& v, double w) {
-  const glm::dvec4 rest = glm::dvec4(v, w) - glm::dvec4(finite(v, w));
+/// What `part` lacks of a value; 0 of a value that is not finite.
+glm::vec4 rest_of(const glm::dvec4& value, const glm::vec4& part) {
+  const glm::dvec4 rest = value - glm::dvec4(part);
   return std::isfinite(rest.x + rest.y + rest.z + rest.w) ? glm::vec4(rest) : glm::vec4(0);
 }
+
+/// What float32 rounds off.
+glm::vec4 low(const glm::dvec3& v, double w) { return rest_of(glm::dvec4(v, w), finite(v, w)); }
 
 glm::dvec3 unit(const glm::dvec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -119,12 +122,11 @@ bool reads_position(const ProgramKey& key) {
   return has_light(key, kLightPoint) || key.local_viewer;
 }
 
-/// Whether some vector is made unit length in object space that has to be so in eye coordinates. By
-/// default only half vectors show it.
+/// Whether some vector is made unit length in object space that has to be so in eye coordinates.
+/// Only half vectors show it.
 bool angles_matter(const ProgramKey& key) {
-  if (key.quality == Quality::kPrecise)
-    return reads_position(key) || key.normal == NormalMode::kNormalize;
-  if (key.normal == NormalMode::kNormalize || key.quality == Quality::kFastest) return false;
+  if (key.quality == Quality::kFastest) return false;
+  if (key.quality == Quality::kDefault && key.normal == NormalMode::kNormalize) return false;
   for (const LightRun& run : key.lights)
     if (run.count && run.kind & kLightSpecular && (run.kind & kLightPoint || key.local_viewer))
       return true;
@@ -137,6 +139,14 @@ constexpr double kLargestProduct = 1e36;
 /// Repeated squaring of the complement has 1e-7 of the largest power: too little for a specular
 /// colour that makes a power of 1e-7 visible.
 constexpr double kSquaringIsPlenty = 1e3;
+
+/// Where the last squarings are of the power itself and make it small, its digits are kept
+/// (emit_functions.cpp).
+bool squaring_serves_any_color(const Context& context, float shininess) {
+  return quality_of(context) == Quality::kFastest ||
+         (quality_of(context) == Quality::kDefault && !context.transform.normalize_enabled &&
+          shininess >= 32);
+}
 
 double largest_component(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -156,6 +166,8 @@ glm::dvec3 coarse(const glm::dvec3& v) {
   return glm::all(glm::lessThan(glm::abs(v), glm::dvec3(4))) ? glm::floor(v * 2048.0) / 2048.0
                                                              : glm::dvec3(finite(v, 0));
 }
+
+constexpr double kBelowOne = 1 - 0x1p-24;  // the largest float below 1
 
 unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
 
@@ -225,6 +237,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
     if (dirty & (kDirtyLights | kDirtyMaterial | kDirtyKey) || layout_changed)
       choose_lights(context);
     choose_space(context, layout);
+    key.w_is_one = !(layout.fields & (kFieldPositionW | kFieldTransformed));
     key.quality = key.light_count() ? quality_of(context) : Quality::kDefault;
     key.per_fragment = key.light_count() && is_per_fragment(context);
     key.angle_error = key.space == LightingSpace::kObject && !linear_.exact && angles_matter(key);
@@ -447,14 +460,13 @@ void Derived::choose_lights(Context& context) {
   key.integer_shininess = {};
   for (unsigned face = 0; specular && face < face_count(key); ++face) {
     const float shininess = lighting.materials[face].shininess;
-    const bool whole = !is_precise(context) && shininess == std::floor(shininess) &&
-                       shininess >= 0 && shininess <= 128;
+    const bool whole = shininess == std::floor(shininess) && shininess >= 0 && shininess <= 128 &&
+                       key.material[face][kShininess] == MaterialSource::kUniform;
+    const bool small = key.material[face][kSpecular] == MaterialSource::kColor
+                           ? squaring_serves_any_color(context, shininess)
+                           : largest_specular < kSquaringIsPlenty;
     key.integer_shininess[face] =
-        whole && key.material[face][kShininess] == MaterialSource::kUniform &&
-                largest_specular < kSquaringIsPlenty &&
-                key.material[face][kSpecular] != MaterialSource::kColor
-            ? static_cast<std::uint8_t>(shininess)
-            : kGeneralShininess;
+        whole && small ? static_cast<std::uint8_t>(shininess) : kGeneralShininess;
   }
 }
 
@@ -575,9 +587,13 @@ void Derived::fill_lights(const Context& context) {
     const glm::dvec3 position(light.position_eye);
     if (is_directional(light)) {
       const glm::dvec3 to_light = unit(position);
-      uniforms.position = finite(covariant * to_light, 0);
-      uniforms_low.position = low(covariant * to_light, 0);
-      const glm::dvec3 half_vector = covariant * unit(to_light + glm::dvec3(0, 0, 1));
+      const glm::dvec3 direction = covariant * to_light;
+      const bool split = key.quality == Quality::kPrecise;
+      uniforms.position = finite(split ? coarse(direction) : direction, 0);
+      uniforms_low.position = rest_of(glm::dvec4(direction, 0), uniforms.position);
+      // A normal made unit length in object space meets a half vector that is so too.
+      glm::dvec3 half_vector = covariant * unit(to_light + glm::dvec3(0, 0, 1));
+      if (key.normal == NormalMode::kNormalize) half_vector = unit(half_vector);
       uniforms.half_vector =
           finite(key.quality == Quality::kFastest ? half_vector : coarse(half_vector), 0);
       uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
@@ -600,8 +616,10 @@ void Derived::fill_lights(const Context& context) {
             static_cast<double>(light.spot_cutoff_degrees) * (std::numbers::pi / 360);
         // Vertices on the cone are lit: the bound leaves room for the rounding of the chord, and
         // for that of two unit vectors that are opposite.
-        const double limit =
+        double limit =
             std::max(2 * std::sin(half_cutoff) * std::sin(half_cutoff) * (1 + 3e-7), 1e-13);
+        // Where the cosine is 0 its power is too, and has no logarithm.
+        if (light.spot_exponent > 0) limit = std::min(limit, kBelowOne);
         const glm::dvec3 axis = rotation * unit(light.spot_direction_eye);
         uniforms.spot_direction = finite(axis, limit);
         uniforms_low.spot_direction = low(axis, limit);
@@ -631,24 +649,25 @@ void Derived::fill_faces(const Context& context) {
       if (folds_into_scene(active.kind)) ambient_light += rgb(light.ambient) * active.strength;
       if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
       const auto product = [&](unsigned property, const glm::vec4& color, double factor) {
-        return finite(rgb(color) * uniform_material(context, key, face, property) *
-                          active.strength * (factor / sum_scale_),
-                      0);
+        return rgb(color) * uniform_material(context, key, face, property) * active.strength *
+               (factor / sum_scale_);
       };
       const double shine_of_length =
           std::pow(normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
-      const bool ambient = active.kind & kLightAmbient;
-      uniforms.products.push_back({ambient ? product(kAmbient, light.ambient, 1) : glm::vec4(0),
-                                   product(kDiffuse, light.diffuse, normal_length_),
-                                   product(kSpecular, light.specular, shine_of_length)});
-      uniforms.products.back().diffuse.w = static_cast<float>(sum_scale_);
+      const glm::dvec3 diffuse = product(kDiffuse, light.diffuse, normal_length_);
+      glm::vec4 ambient(0);
+      if (active.kind & kLightAmbient) ambient = finite(product(kAmbient, light.ambient, 1), 0);
+      else if (key.quality == Quality::kPrecise) ambient = low(diffuse, 0);
+      uniforms.products.push_back({ambient, finite(diffuse, sum_scale_),
+                                   finite(product(kSpecular, light.specular, shine_of_length), 0)});
     }
     const Material& material = context.lighting.materials[face];
     glm::dvec3 scene(0);
     if (key.material[face][kAmbient] == MaterialSource::kUniform)
       scene += ambient_light * rgb(material.ambient);
     if (key.material[face][kEmission] == MaterialSource::kUniform) scene += rgb(material.emission);
-    uniforms.head.scene = finite(scene / sum_scale_, static_cast<double>(material.diffuse.a));
+    uniforms.head.scene =
+        finite(scene / sum_scale_, std::clamp(static_cast<double>(material.diffuse.a), 0.0, 1.0));
     uniforms.head.ambient_light = finite(ambient_light, static_cast<double>(material.shininess));
   }
 }

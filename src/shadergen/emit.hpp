@@ -71,14 +71,14 @@ void emit_distance(Writer& w, const ProgramKey& key, const std::string& light,
 
 // The same steps in pairs of floats (the precise quality).
 void emit_precise_functions(Writer& w, const ProgramKey& key);
+void emit_precise_half_vector_function(Writer& w, const ProgramKey& key);
 void emit_precise_space(Writer& w, const ProgramKey& key);
 void emit_precise_viewer(Writer& w, const ProgramKey& key);
-/// Leaves Two to_light; of a point light also Two delta, and `distance` or `chord` where the kind
-/// reads them.
+/// Leaves n_dot_l, and Two to_light where half vectors are made of it; of a point light also Two
+/// delta, and `distance` or `chord` where the kind reads them.
 void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
                            const std::string& index);
-void emit_precise_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
-                              const std::string& index);
+void emit_precise_half_vector(Writer& w, const ProgramKey& key);
 
 /// Some light is a point, or the viewer is local.
 bool lighting_reads_position(const ProgramKey& key);

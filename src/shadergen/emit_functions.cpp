@@ -7,28 +7,41 @@ namespace {
 
 /// (1 - q) to the power n by repeated squaring of the complement y = 1 - (1 - q)^k: squaring is y(2
 /// - y), one factor more is y + q(1 - y). No step forms a number near 1, so nothing is rounded away
-/// and amplified n times.
-void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
+/// and amplified n times. The last squarings amplify little: there 1 - y itself is squared, at half
+/// the cost.
+/// `amplify`: how far they may.
+void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent, unsigned amplify) {
   w.line("// (1 - q)^" + std::to_string(exponent));
   w.open("float " + name + "(float q) {");
   if (exponent == 0) {
     w.line("return 1.0;  // 0^0 is 1 (GL 2.1 spec 2.14.1)");
   } else {
+    unsigned last = 1;  // what the squarings of 1 - y raise it to
+    while (last < amplify && last * 8 <= exponent) last *= 2;
     w.line("float y = q;");
     unsigned bit = 1;
     while (bit <= exponent / 2) bit <<= 1;
-    for (bit >>= 1; bit; bit >>= 1) {
+    for (bit >>= 1; bit >= last; bit >>= 1) {
       w.line("y = y * (2.0 - y);");
       if (exponent & bit) w.line("y = y + q * (1.0 - y);");
     }
-    w.line("return max(1.0 - y, 0.0);");
+    if (last == 1) {
+      w.line("return max(1.0 - y, 0.0);");
+    } else {
+      w.line("float x = 1.0 - y;");
+      for (; bit; bit >>= 1) {
+        w.line("x *= x;");
+        if (exponent & bit) w.line("x *= 1.0 - q;");
+      }
+      w.line("return x;");
+    }
   }
   w.close();
   w.blank();
 }
 
 /// The fastest quality: x to the power n by repeated squaring.
-void emit_fast_integer_shine(Writer& w, const std::string& name, unsigned exponent) {
+void emit_fast_integer_shine(Writer& w, const std::string& name, unsigned exponent, unsigned) {
   w.line("// x^" + std::to_string(exponent));
   w.open("float " + name + "(float x) {");
   if (exponent == 0) {
@@ -50,6 +63,16 @@ void emit_fast_integer_shine(Writer& w, const std::string& name, unsigned expone
 
 constexpr const char* kUnit = R"(vec3 unit(vec3 v) {
   return v * inversesqrt(max(dot(v, v), 1e-37));
+}
+
+)";
+
+constexpr const char* kHalfVectorOfUnits =
+    R"(// |a|^2 - |b|^2 is what rounding left of their lengths: where they are nearly opposite, it would turn
+// the sum.
+vec3 half_vector_of_units(vec3 a, vec3 b) {
+  vec3 sum = a + b;
+  return unit(sum + 0.5 * dot(sum, a - b) * b);
 }
 
 )";
@@ -154,24 +177,24 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
       key.normal == NormalMode::kNormalize || key.per_fragment || lighting_reads_position(key);
   if (precise) emit_precise_functions(w, key);
   else if (any_length) w.raw(fastest ? kFastUnitOfAny : kUnitOfAny);
-  if (!precise && half_vectors) w.raw(kUnit);
-  const bool powers = general_shininess || any_light(key, kLightSpotExponent);
-  if (powers && fastest) {
-    w.raw(kPower);
-  } else if (powers) {
-    w.raw(kLog2OfComplement);
-    w.raw(precise ? kPrecisePowerOfComplement : kPowerOfComplement);
-  }
+  if (half_vectors) w.raw(kUnit);
+  if (half_vectors && precise) emit_precise_half_vector_function(w, key);
+  else if (half_vectors && !fastest) w.raw(kHalfVectorOfUnits);
+  const bool spot_powers = any_light(key, kLightSpotExponent);
+  if (!fastest && (general_shininess || spot_powers)) w.raw(kLog2OfComplement);
+  if (precise && (general_shininess || spot_powers)) w.raw(kPrecisePowerOfComplement);
+  else if (general_shininess) w.raw(fastest ? kPower : kPowerOfComplement);
   if (!specular) return;
-  if (key.quality == Quality::kDefault) {
+  if (!fastest) {
     if (key.normal == NormalMode::kNormalize) w.raw(kComplementOfUnits);
     else if (half_vectors) w.raw(kComplement);
   }
   const auto emit_shine = fastest ? emit_fast_integer_shine : emit_integer_shine;
+  const unsigned amplify = precise || key.normal == NormalMode::kNormalize ? 1 : 8;
   if (key.integer_shininess[0] != kGeneralShininess)
-    emit_shine(w, "front_shine", key.integer_shininess[0]);
+    emit_shine(w, "front_shine", key.integer_shininess[0], amplify);
   if (key.two_side && key.integer_shininess[1] != kGeneralShininess)
-    emit_shine(w, "back_shine", key.integer_shininess[1]);
+    emit_shine(w, "back_shine", key.integer_shininess[1], amplify);
 }
 
 void emit_lighting_blocks(Writer& w, const ProgramKey& key) {

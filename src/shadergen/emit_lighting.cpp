@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include "shadergen/attributes.hpp"
 #include "shadergen/emit.hpp"
 
@@ -11,24 +14,70 @@ constexpr const char* kSide[2] = {"front", "back"};
 
 unsigned face_count(const ProgramKey& key) { return key.two_side ? 2 : 1; }
 
-/// A light's colour for one term on one face, times the material where it comes with the vertex.
-std::string product(const ProgramKey& key, unsigned face, unsigned property, const char* term,
-                    const std::string& index) {
-  std::string text = std::string(kSide[face]) + "_products[" + index + "]." + term + ".rgb";
-  if (const std::string material = material_expression(key, face, property); !material.empty())
-    text += " * " + material + ".rgb";
-  return text;
+/// What is multiplied by a material that comes with the vertex is summed apart, and multiplied
+/// once.
+std::string sum_of(const ProgramKey& key, unsigned face, unsigned property) {
+  const std::string side = kSide[face];
+  if (property == kSpecular && key.separate_specular) return side + "_specular_sum";
+  const std::string material = material_expression(key, face, property);
+  return material.empty() ? side + "_sum" : side + "_sum_of_" + material;
 }
+
+/// The terms of lights, or of the scene, that go into one sum.
+struct Sums {
+  struct Sum {
+    std::string name, terms;
+  };
+  std::vector<Sum> sums;
+
+  void add(const std::string& name, const std::string& term) {
+    for (Sum& sum : sums)
+      if (sum.name == name) {
+        sum.terms += " + " + term;
+        return;
+      }
+    sums.push_back({name, term});
+  }
+};
+
+bool has_term(const ProgramKey& key, unsigned property) {
+  constexpr std::uint8_t kBits[] = {kLightAmbient, kLightDiffuse, kLightSpecular};
+  return std::any_of(key.lights.begin(), key.lights.end(),
+                     [&](const LightRun& run) { return run.count && run.kind & kBits[property]; });
+}
+
+constexpr unsigned kReflecting[] = {kAmbient, kDiffuse, kSpecular};
 
 void emit_scene(Writer& w, const ProgramKey& key, unsigned face) {
   const std::string side = kSide[face];
-  std::string sum = side + "_scene.rgb";
-  if (const auto ambient = material_expression(key, face, kAmbient); !ambient.empty())
-    sum += " + " + side + "_ambient_light.rgb * " + ambient + ".rgb";
+  Sums scene;
+  scene.add(side + "_sum", side + "_scene.rgb");
   if (const auto emission = material_expression(key, face, kEmission); !emission.empty())
-    sum += " + " + emission + ".rgb";
-  w.line("vec3 " + side + "_sum = " + sum + ";");
-  if (key.separate_specular) w.line("vec3 " + side + "_specular_sum = vec3(0.0);");
+    scene.add(side + "_sum", emission + ".rgb");
+  if (!material_expression(key, face, kAmbient).empty())
+    scene.add(sum_of(key, face, kAmbient), side + "_ambient_light.rgb");
+  for (const unsigned property : kReflecting) {
+    const std::string sum = sum_of(key, face, property);
+    const bool begun = std::any_of(scene.sums.begin(), scene.sums.end(),
+                                   [&](const Sums::Sum& other) { return other.name == sum; });
+    if (!begun && has_term(key, property)) scene.add(sum, "vec3(0.0)");
+  }
+  for (const Sums::Sum& sum : scene.sums) w.line("vec3 " + sum.name + " = " + sum.terms + ";");
+}
+
+/// The sums times their materials.
+void emit_reflection(Writer& w, const ProgramKey& key, unsigned face) {
+  const std::string side = kSide[face];
+  std::vector<std::string> done;
+  for (const unsigned property : kReflecting) {
+    const std::string material = material_expression(key, face, property);
+    const std::string sum = sum_of(key, face, property);
+    if (material.empty() || std::find(done.begin(), done.end(), sum) != done.end()) continue;
+    if (property != kAmbient && !has_term(key, property)) continue;
+    done.push_back(sum);
+    if (property == kSpecular && key.separate_specular) w.line(sum + " *= " + material + ".rgb;");
+    else w.line(side + "_sum += " + sum + " * " + material + ".rgb;");
+  }
 }
 
 /// GL 2.1 spec 2.14.1: the vector to the light, attenuation and spot factor.
@@ -51,18 +100,29 @@ void emit_strength(Writer& w, const ProgramKey& key, std::uint8_t kind, const st
     w.line("float one_minus_cosine = 0.5 * dot(chord, chord);");
     const std::string inside =
         kind & kLightSpotExponent
-            ? (key.quality == Quality::kFastest ? "power(1.0 - one_minus_cosine, "
-                                                : "power_of_complement(one_minus_cosine, ") +
-                  light + ".attenuation.w)"
+            ? (key.quality == Quality::kPrecise
+                   ? "power_of_complement(one_minus_cosine, " + light + ".attenuation.w)"
+                   : "exp2(" + light + ".attenuation.w * " +
+                         (key.quality == Quality::kFastest
+                              ? "log2(1.0 - one_minus_cosine))"
+                              : "log2_of_complement(one_minus_cosine))"))
             : "1.0";
     w.line(target + "one_minus_cosine <= " + light + ".spot_direction.w ? " + inside + " : 0.0;");
   }
 }
 
+bool normal_has_low(const ProgramKey& key) {
+  return key.quality == Quality::kPrecise && key.normal != NormalMode::kAsIs;
+}
+
 void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                       const std::string& light) {
-  if (key.local_viewer) w.line("vec3 h = unit(to_light + to_viewer);");
-  else if (kind & kLightPoint) w.line("vec3 h = unit(to_light + viewer.xyz);");
+  const std::string half_vector =
+      key.quality == Quality::kFastest ? "unit(to_light + " : "half_vector_of_units(to_light, ";
+  const bool computed = key.local_viewer || kind & kLightPoint;
+  if (computed && key.quality == Quality::kPrecise) emit_precise_half_vector(w, key);
+  else if (key.local_viewer) w.line("vec3 h = " + half_vector + "to_viewer);");
+  else if (kind & kLightPoint) w.line("vec3 h = " + half_vector + "viewer.xyz);");
   else if (key.quality == Quality::kFastest || key.normal == NormalMode::kNormalize)
     w.line("vec3 h = " + light + ".half_vector.xyz;");
   else {
@@ -81,17 +141,16 @@ bool half_vector_is_uniform(const ProgramKey& key, std::uint8_t kind) {
 std::string complement(const ProgramKey& key, std::uint8_t kind, unsigned face,
                        const std::string& light) {
   const std::string n = face ? "-n" : "n";
-  if (key.quality == Quality::kPrecise)
-    return std::string("complement(") + (face ? "Two(-n.hi, -n.lo)" : n) + ", h)";
   if (key.quality == Quality::kFastest) return "dot(" + n + ", h)";
   const bool unit_normal = key.normal == NormalMode::kNormalize;
-  if (half_vector_is_uniform(key, kind) && unit_normal)
-    return "complement_of_units((" + n + " - h) - " + light + ".attenuation.xyz)";
-  if (half_vector_is_uniform(key, kind))
+  if (half_vector_is_uniform(key, kind) && !unit_normal)
     return face ? "min((1.0 + n_dot_h) + n_dot_h_rest, 1.0)"
                 : "min((1.0 - n_dot_h) - n_dot_h_rest, 1.0)";
-  if (unit_normal) return "complement_of_units(" + n + " - h)";
-  return "complement(" + n + " - h, " + n + ", h, half_excess)";
+  std::string e = n + " - h";
+  if (normal_has_low(key)) e = "(" + e + (face ? ") - n_low" : ") + n_low");
+  if (half_vector_is_uniform(key, kind)) e = "(" + e + ") - " + light + ".attenuation.xyz";
+  if (unit_normal) return "complement_of_units(" + e + ")";
+  return "complement(" + e + ", " + n + ", h, half_excess)";
 }
 
 std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
@@ -112,41 +171,44 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
   const bool scaled = (kind & (kLightAttenuated | kLightSpot)) != 0;
   const std::string n_dot_l = face ? "-n_dot_l" : "n_dot_l";
   const std::string facing = face ? "n_dot_l < 0.0" : "n_dot_l > 0.0";
-  std::string sum;
-  if (kind & kLightAmbient) sum = product(key, face, kAmbient, "ambient", index);
-  if (kind & kLightDiffuse) {
-    if (!sum.empty()) sum += " + ";
-    sum += "max(" + n_dot_l + ", 0.0) * " + product(key, face, kDiffuse, "diffuse", index);
-  }
-  if (kind & kLightSpecular) {
-    const std::string specular = "(" + facing + " ? " +
-                                 shine(key, kind, face, "lights[" + index + "]") + " : 0.0) * " +
-                                 product(key, face, kSpecular, "specular", index);
-    if (key.separate_specular) {
-      w.line(side + "_specular_sum += " + (scaled ? "strength * (" + specular + ")" : specular) +
-             ";");
-    } else {
-      if (!sum.empty()) sum += " + ";
-      sum += specular;
-    }
-  }
-  if (!sum.empty()) w.line(side + "_sum += " + (scaled ? "strength * (" + sum + ")" : sum) + ";");
+  const std::string products = side + "_products[" + index + "].";
+  // First what is small.
+  if (key.quality == Quality::kPrecise && kind & kLightDiffuse && !scaled)
+    w.line(sum_of(key, face, kDiffuse) + " += max(" + n_dot_l + ", 0.0) * " + products +
+           "ambient.rgb;");
+  Sums light;
+  if (kind & kLightAmbient) light.add(sum_of(key, face, kAmbient), products + "ambient.rgb");
+  if (kind & kLightDiffuse)
+    light.add(sum_of(key, face, kDiffuse),
+              "max(" + n_dot_l + ", 0.0) * " + products + "diffuse.rgb");
+  if (kind & kLightSpecular)
+    light.add(sum_of(key, face, kSpecular), "(" + facing + " ? " +
+                                                shine(key, kind, face, "lights[" + index + "]") +
+                                                " : 0.0) * " + products + "specular.rgb");
+  for (const Sums::Sum& sum : light.sums)
+    w.line(sum.name + " += " + (scaled ? "strength * (" + sum.terms + ")" : sum.terms) + ";");
 }
 
 /// The normal as a multiple of 1/2048 and the rest: the dot product of two such multiples is exact.
 /// From them also (|n|^2 - 1) / 2.
 void emit_normal_split(Writer& w, const ProgramKey& key) {
-  bool specular = false, half_vectors = false;
+  const bool unit_normal = key.normal == NormalMode::kNormalize;
+  bool split = false, half_vectors = false;
   for (const LightRun& run : key.lights) {
-    if (!run.count || !(run.kind & kLightSpecular)) continue;
-    specular = true;
-    half_vectors |= !half_vector_is_uniform(key, run.kind);
+    if (!run.count) continue;
+    const bool specular = run.kind & kLightSpecular;
+    if (specular && !unit_normal) split = true;
+    if (key.quality == Quality::kPrecise && !(run.kind & kLightPoint) &&
+        run.kind & (kLightDiffuse | kLightSpecular))
+      split = true;
+    if (specular && !half_vector_is_uniform(key, run.kind)) half_vectors = true;
   }
-  if (!specular || key.normal == NormalMode::kNormalize) return;
+  if (!split) return;
   // Through integers, which stay in range where the normal is huge.
   w.line("vec3 n_coarse = vec3(ivec3(n * 2048.0)) * (1.0 / 2048.0);");
-  w.line("vec3 n_rest = n - n_coarse;");
-  if (!half_vectors) return;
+  w.line(normal_has_low(key) ? "vec3 n_rest = (n - n_coarse) + n_low;"
+                             : "vec3 n_rest = n - n_coarse;");
+  if (!half_vectors || unit_normal) return;
   w.line(
       "float half_excess = 0.5 * ((dot(n_coarse, n_coarse) - 1.0) + dot(n_rest, n_coarse + n));");
   if (key.angle_error) w.line("half_excess += 0.5 * dot(n, angle_error * n);");
@@ -159,10 +221,9 @@ void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::
   else if (kind & kLightPoint) emit_to_light(w, key, kind, light);
   else w.line("vec3 to_light = " + light + ".position.xyz;");
   if (kind & kLightPoint) emit_strength(w, key, kind, light);
-  if (kind & (kLightDiffuse | kLightSpecular))
-    w.line(std::string("float n_dot_l = ") + (precise ? "two_dot" : "dot") + "(n, to_light);");
-  if (kind & kLightSpecular && precise) emit_precise_half_vector(w, key, kind, index);
-  else if (kind & kLightSpecular) emit_half_vector(w, key, kind, light);
+  if (!precise && kind & (kLightDiffuse | kLightSpecular))
+    w.line("float n_dot_l = dot(n, to_light);");
+  if (kind & kLightSpecular) emit_half_vector(w, key, kind, light);
   for (unsigned face = 0; face < face_count(key); ++face) emit_terms(w, key, kind, face, index);
 }
 
@@ -228,7 +289,7 @@ void emit_lighting_normal(Writer& w, const ProgramKey& key) {
 
 void emit_lights(Writer& w, const ProgramKey& key) {
   for (unsigned face = 0; face < face_count(key); ++face) emit_scene(w, key, face);
-  if (key.quality == Quality::kDefault) emit_normal_split(w, key);
+  if (key.quality != Quality::kFastest) emit_normal_split(w, key);
   if (key.quality == Quality::kPrecise) emit_precise_viewer(w, key);
   else if (key.local_viewer)
     w.line(key.space == LightingSpace::kEyeHomogeneous
@@ -257,15 +318,17 @@ void emit_lights(Writer& w, const ProgramKey& key) {
 
   for (unsigned face = 0; face < face_count(key); ++face) {
     const std::string side = kSide[face];
+    emit_reflection(w, key, face);
     const std::string diffuse = material_expression(key, face, kDiffuse);
-    const std::string alpha = diffuse.empty() ? side + "_scene.a" : diffuse + ".a";
+    const std::string alpha =
+        diffuse.empty() ? side + "_scene.a" : "clamp(" + diffuse + ".a, 0.0, 1.0)";
     if (key.scaled_sums) {
       w.line(side + "_sum *= " + side + "_products[0].diffuse.w;");
       if (key.separate_specular)
         w.line(side + "_specular_sum *= " + side + "_products[0].diffuse.w;");
     }
     // GL 2.1 spec 2.14.6: colours are clamped before they are interpolated.
-    w.line("vec4 " + side + "_lit = clamp(vec4(" + side + "_sum, " + alpha + "), 0.0, 1.0);");
+    w.line("vec4 " + side + "_lit = vec4(clamp(" + side + "_sum, 0.0, 1.0), " + alpha + ");");
     if (key.separate_specular)
       w.line("vec3 " + side + "_specular = clamp(" + side + "_specular_sum, 0.0, 1.0);");
   }

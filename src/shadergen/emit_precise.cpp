@@ -14,15 +14,15 @@ struct Two {
   vec3 lo;
 };
 
-Two two_sum(vec3 a, vec3 b) {
-  vec3 s = a + b;
-  vec3 c = s - a;
-  return Two(s, (a - (s - c)) + (b - c));
+Two joined(vec3 hi, vec3 lo) {
+  vec3 s = hi + lo;
+  return Two(s, lo - (s - hi));
 }
 
 Two add(Two a, Two b) {
-  Two s = two_sum(a.hi, b.hi);
-  return two_sum(s.hi, s.lo + (a.lo + b.lo));
+  vec3 s = a.hi + b.hi;
+  vec3 c = s - a.hi;
+  return joined(s, ((a.hi - (s - c)) + (b.hi - c)) + (a.lo + b.lo));
 }
 
 // The first 12 bits: products of two such are exact.
@@ -44,28 +44,9 @@ Two scaled(Two v, float s) {
   return Two(product.hi, product.lo + v.lo * s);
 }
 
-// A multiple of 1/2048. Dot products of two such that are no longer than 1 are exact.
-vec3 coarse(vec3 a) {
-  return floor(clamp(a, -2.0, 2.0) * 2048.0) * (1.0 / 2048.0);
-}
-
-float two_dot(Two a, Two b) {
-  vec3 a_coarse = coarse(a.hi);
-  vec3 b_coarse = coarse(b.hi);
-  return dot(a_coarse, b_coarse) + (dot(a.hi, b.hi - b_coarse) + dot(a.hi - a_coarse, b_coarse) +
-                                    dot(a.hi, b.lo) + dot(a.lo, b.hi));
-}
-
-// (|v|^2 - 1) / 2
-float excess(Two v) {
-  vec3 v_coarse = coarse(v.hi);
-  return 0.5 * ((dot(v_coarse, v_coarse) - 1.0) + dot(v.hi - v_coarse, v_coarse + v.hi)) +
-         dot(v.hi, v.lo);
-}
-
 )";
 
-constexpr const char* kUnit =
+constexpr const char* kNearlyUnit =
     R"(// An exact power of two that brings the largest of the components near 1.
 float power_of_two_for(vec3 v) {
   vec3 a = abs(v);
@@ -73,25 +54,38 @@ float power_of_two_for(vec3 v) {
   return uintBitsToFloat(clamp(0x7f000000u - exponent, 0x00800000u, 0x7e800000u));
 }
 
-Two two_unit(Two v) {
+// A direction of many digits, of unit length to float32's.
+Two nearly_unit(Two v) {
   float power = power_of_two_for(v.hi);
   v = Two(v.hi * power, v.lo * power);
-  Two w = scaled(v, inversesqrt(max(dot(v.hi, v.hi), 1e-37)));
-  return Two(w.hi, w.lo - excess(w) * w.hi);
+  return scaled(v, inversesqrt(max(dot(v.hi, v.hi), 1e-37)));
 }
 
 )";
 
-// In object space, of a vector that has unit length in eye coordinates.
-constexpr const char* kBentUnit =
-    R"(// A direction (bend -1) or a normal (bend 1) of unit length under a modelview that keeps angles only
-// nearly.
-Two bent_unit(Two v, float bend) {
-  Two w = two_unit(v);
-  return Two(w.hi, w.lo - (0.5 * bend * dot(w.hi, angle_error * w.hi)) * w.hi);
+constexpr const char* kTwoUnit = R"(Two two_unit(Two v) {
+  Two w = nearly_unit(v);
+  vec3 w_coarse = floor(clamp(w.hi, -2.0, 2.0) * 2048.0) * (1.0 / 2048.0);
+  vec3 w_rest = (w.hi - w_coarse) + w.lo;
+  float half_excess = 0.5 * ((dot(w_coarse, w_coarse) - 1.0) + dot(w_rest, w_coarse + w.hi));
+  return Two(w.hi, w.lo - half_excess * w.hi);
 }
 
 )";
+
+/// `difference`: a - b, in eye coordinates' measure of length.
+std::string half_vector_text(bool angle_error) {
+  return std::string(
+             "// Of nearly unit vectors. What their lengths differ by would turn the sum where "
+             "they "
+             "are nearly\n// opposite.\n"
+             "vec3 half_vector(Two a, Two b) {\n"
+             "  Two sum = add(a, b);\n"
+             "  vec3 difference = a.hi - b.hi;\n") +
+         (angle_error ? "  difference -= angle_error * difference;\n" : "") +
+         "  return unit(sum.hi + (sum.lo + 0.5 * dot(sum.hi, difference) * b.hi));\n"
+         "}\n\n";
+}
 
 constexpr const char* kLinear = R"(Two linear(mat3 m, mat3 m_low, vec3 v) {
   Two x = two_product(m[0], v.xxx);
@@ -123,29 +117,10 @@ Two homogeneous(mat4 m, mat4 m_low, vec4 v) {
   vec3 quotient = point.hi / w.hi;
   Two back = two_product(quotient, w.hi);
   vec3 rest = ((point.hi - back.hi) - back.lo) + (point.lo - quotient * w.lo);
-  return two_sum(quotient, rest / w.hi);
+  return joined(quotient, rest / w.hi);
 }
 
 )";
-
-constexpr const char* kComplement = R"(// 1 - dot(n, h)
-float complement(Two n, Two h) {
-  vec3 n_coarse = coarse(n.hi);
-  vec3 h_coarse = coarse(h.hi);
-  return min((1.0 - dot(n_coarse, h_coarse)) -
-             (dot(n.hi, h.hi - h_coarse) + dot(n.hi - n_coarse, h_coarse) + dot(n.hi, h.lo) +
-              dot(n.lo, h.hi)), 1.0);
-}
-
-)";
-
-std::string direction_unit(const ProgramKey& key, const std::string& v) {
-  return key.angle_error ? "bent_unit(" + v + ", -1.0)" : "two_unit(" + v + ")";
-}
-
-std::string normal_unit(const ProgramKey& key, const std::string& v) {
-  return key.angle_error ? "bent_unit(" + v + ", 1.0)" : "two_unit(" + v + ")";
-}
 
 bool transforms(const ProgramKey& key) {
   return key.space != LightingSpace::kObject || key.normal == NormalMode::kMatrix;
@@ -154,13 +129,17 @@ bool transforms(const ProgramKey& key) {
 }  // namespace
 
 void emit_precise_functions(Writer& w, const ProgramKey& key) {
+  const bool normalize = key.normal == NormalMode::kNormalize;
+  if (!lighting_reads_position(key) && key.normal == NormalMode::kAsIs) return;
   w.raw(kTwo);
-  w.raw(kUnit);
-  if (key.angle_error) w.raw(kBentUnit);
+  if (lighting_reads_position(key) || normalize) w.raw(kNearlyUnit);
+  if (normalize) w.raw(kTwoUnit);
   if (transforms(key)) w.raw(kLinear);
   if (key.space == LightingSpace::kEyeHomogeneous) w.raw(kHomogeneous);
-  for (const LightRun& run : key.lights)
-    if (run.count && run.kind & kLightSpecular) return w.raw(kComplement);
+}
+
+void emit_precise_half_vector_function(Writer& w, const ProgramKey& key) {
+  w.raw(half_vector_text(key.angle_error));
 }
 
 void emit_precise_space(Writer& w, const ProgramKey& key) {
@@ -181,32 +160,32 @@ void emit_precise_space(Writer& w, const ProgramKey& key) {
         break;
     }
   switch (key.normal) {
-    case NormalMode::kAsIs: w.line("Two n = Two(normal, vec3(0.0));"); break;
+    case NormalMode::kAsIs: w.line("vec3 n = normal;"); return;
     case NormalMode::kScaled:
-      w.line("Two n = scaled(Two(normal, vec3(0.0)), viewer.w);");
-      w.line("n.lo += viewer_low.w * normal;");
+      w.line("Two two_n = scaled(Two(normal, vec3(0.0)), viewer.w);");
+      w.line("two_n.lo += viewer_low.w * normal;");
       break;
     case NormalMode::kMatrix:
-      w.line("Two n = linear(normal_matrix, normal_matrix_low, normal);");
+      w.line("Two two_n = linear(normal_matrix, normal_matrix_low, normal);");
       break;
     case NormalMode::kNormalize:
       if (key.space == LightingSpace::kObject)
-        w.line("Two n = " + normal_unit(key, "Two(normal, vec3(0.0))") + ";");
+        w.line("Two two_n = two_unit(Two(normal, vec3(0.0)));");
       else
         w.line(
-            "Two n = two_unit(linear(normal_matrix, normal_matrix_low, normal * "
+            "Two two_n = two_unit(linear(normal_matrix, normal_matrix_low, normal * "
             "power_of_two_for(normal)));");
       break;
   }
+  w.line("vec3 n = two_n.hi;");
+  w.line("vec3 n_low = two_n.lo;");
 }
 
 void emit_precise_viewer(Writer& w, const ProgramKey& key) {
   if (!key.local_viewer) return;
   const std::string finite = key.space == LightingSpace::kEyeHomogeneous ? " * finite" : "";
-  w.line("Two to_viewer = " +
-         direction_unit(key, "add(Two(viewer.xyz" + finite + ", viewer_low.xyz" + finite +
-                                 "), Two(-vertex.hi, -vertex.lo))") +
-         ";");
+  w.line("Two to_viewer = nearly_unit(add(Two(viewer.xyz" + finite + ", viewer_low.xyz" + finite +
+         "), Two(-vertex.hi, -vertex.lo)));");
 }
 
 void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
@@ -214,27 +193,27 @@ void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
   const std::string light = "lights[" + index + "]";
   const std::string rest = "lights_low[" + index + "]";
   if (!(kind & kLightPoint)) {
-    w.line("Two to_light = Two(" + light + ".position.xyz, " + rest + ".position.xyz);");
+    if (key.local_viewer && kind & kLightSpecular)
+      w.line("Two to_light = joined(" + light + ".position.xyz, " + rest + ".position.xyz);");
+    if (kind & (kLightDiffuse | kLightSpecular))
+      w.line("float n_dot_l = dot(n_coarse, " + light + ".position.xyz) + (dot(n_rest, " + light +
+             ".position.xyz) + dot(n, " + rest + ".position.xyz));");
     return;
   }
   const std::string finite = key.space == LightingSpace::kEyeHomogeneous ? " * finite" : "";
   w.line("Two delta = add(Two(" + light + ".position.xyz" + finite + ", " + rest + ".position.xyz" +
          finite + "), Two(-vertex.hi, -vertex.lo));");
-  w.line("Two to_light = " + direction_unit(key, "delta") + ";");
+  w.line("Two to_light = nearly_unit(delta);");
   if (kind & kLightAttenuated) emit_distance(w, key, light, "dot(delta.hi, to_light.hi)");
   if (kind & kLightSpot)
     w.line("vec3 chord = (to_light.hi + " + light + ".spot_direction.xyz) + (to_light.lo + " +
            rest + ".spot_direction.xyz);");
+  if (kind & (kLightDiffuse | kLightSpecular)) w.line("float n_dot_l = dot(n, to_light.hi);");
 }
 
-void emit_precise_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
-                              const std::string& index) {
-  const std::string light = "lights[" + index + "]";
-  if (key.local_viewer) w.line("Two h = " + direction_unit(key, "add(to_light, to_viewer)") + ";");
-  else if (kind & kLightPoint)
-    w.line("Two h = " + direction_unit(key, "add(to_light, Two(viewer.xyz, viewer_low.xyz))") +
-           ";");
-  else w.line("Two h = Two(" + light + ".half_vector.xyz, " + light + ".attenuation.xyz);");
+void emit_precise_half_vector(Writer& w, const ProgramKey& key) {
+  w.line(std::string("vec3 h = half_vector(to_light, ") +
+         (key.local_viewer ? "to_viewer" : "Two(viewer.xyz, viewer_low.xyz)") + ");");
 }
 
 }  // namespace legacy_gl

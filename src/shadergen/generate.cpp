@@ -82,7 +82,9 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (key.lit) general ? emit_general_functions(w, key) : emit_lighting_functions(w, key);
   emit_texture_functions(w, key.textures);
   w.open("void main() {");
-  w.line(pixels ? "gl_Position = position;" : "gl_Position = modelview_projection * position;");
+  w.line(pixels         ? "gl_Position = position;"
+         : key.w_is_one ? "gl_Position = modelview_projection * vec4(position.xyz, 1.0);"
+                        : "gl_Position = modelview_projection * position;");
   if (pixels) w.line("texel = texel_position;");
   if (is_zoomed(key.pixels)) w.line("place = pixel_place;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");

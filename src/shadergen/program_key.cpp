@@ -49,6 +49,7 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
                         key.local_viewer,
                         key.separate_specular,
                         key.position4,
+                        key.w_is_one,
                         key.points,
                         key.per_fragment,
                         key.back_only,
@@ -116,6 +117,7 @@ std::string describe(const ProgramKey& key) {
   if (key.flat) append(text, "flat");
   if (key.per_fragment) append(text, "per fragment");
   if (key.position4) append(text, "vertex w");
+  if (key.w_is_one) append(text, "w 1");
   if (key.points) append(text, "points");
   if (key.angle_error) append(text, "angles corrected");
   if (key.back_only) append(text, "back faces");

@@ -79,6 +79,7 @@ struct ProgramKey {
   bool local_viewer = false;
   bool separate_specular = false;
   bool position4 = false;  ///< the position attribute has a w
+  bool w_is_one = false;   ///< lit, and the position attribute has none
   bool points = false;     ///< draws GL_POINTS
   bool per_fragment = false;
   bool scaled_sums = false;  ///< colours so large that sums of their products leave the range

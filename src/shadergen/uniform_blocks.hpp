@@ -136,6 +136,8 @@ static_assert(sizeof(ClipPlaneUniforms) == 96);
 /// A light's colours times the material's; the light's own colour where the material comes with the
 /// vertex.
 struct LightProducts {
+  /// In the precise quality, of a light whose ambient term is part of the scene: what float32
+  /// rounded off the diffuse product.
   glm::vec4 ambient{0};
   glm::vec4 diffuse{0};  ///< w of the first light: what scaled sums are multiplied by
   glm::vec4 specular{0};
@@ -149,7 +151,7 @@ struct MaterialUniforms {
       0};  ///< rgb: ambient light that a per-vertex ambient material takes; w: shininess
 };
 inline constexpr const char* kProductsStructText = R"(struct Products {  // light times material
-  vec4 ambient;
+  vec4 ambient;   // precise, where this is part of the scene: the rest of diffuse
   vec4 diffuse;
   vec4 specular;
 };
