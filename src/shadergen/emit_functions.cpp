@@ -165,6 +165,13 @@ bool any_light(const ProgramKey& key, std::uint8_t bits) {
 
 }  // namespace
 
+void emit_unit_of_any(Writer& w) { w.raw(kUnitOfAny); }
+
+void emit_power_of_complement(Writer& w) {
+  w.raw(kLog2OfComplement);
+  w.raw(kPowerOfComplement);
+}
+
 void emit_lighting_functions(Writer& w, const ProgramKey& key) {
   const bool specular = any_light(key, kLightSpecular);
   const bool general_shininess =

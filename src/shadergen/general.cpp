@@ -103,13 +103,9 @@ void emit_general_blocks(Writer& w, const ProgramKey& key) {
   w.blank();
 }
 
-void emit_general_functions(Writer& w, const ProgramKey& key) {
-  // All that the widest key needs.
-  ProgramKey widest = key;
-  widest.general_lights = 0;
-  widest.lights[0] = {kLightPoint | kLightSpot | kLightSpotExponent, 1};
-  widest.normal = NormalMode::kNormalize;
-  emit_lighting_functions(w, widest);
+void emit_general_functions(Writer& w) {
+  emit_unit_of_any(w);
+  emit_power_of_complement(w);
 }
 
 void emit_general_space(Writer& w, const ProgramKey& key) {

@@ -13,7 +13,7 @@ ProgramKey generalise(const ProgramKey& key);
 /// The statements and blocks of a key whose general_lights is not 0; as their namesakes in
 /// emit.hpp.
 void emit_general_blocks(Writer& w, const ProgramKey& key);
-void emit_general_functions(Writer& w, const ProgramKey& key);
+void emit_general_functions(Writer& w);
 void emit_general_space(Writer& w, const ProgramKey& key);
 void emit_general_lights(Writer& w, const ProgramKey& key);
 

@@ -79,7 +79,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   // depth.
   w.line("invariant gl_Position;");
   w.blank();
-  if (key.lit) general ? emit_general_functions(w, key) : emit_lighting_functions(w, key);
+  if (key.lit) general ? emit_general_functions(w) : emit_lighting_functions(w, key);
   emit_texture_functions(w, key.textures);
   w.open("void main() {");
   w.line(pixels         ? "gl_Position = position;"
