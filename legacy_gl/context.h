@@ -79,10 +79,11 @@ typedef struct legacy_gl_options {
 
 /** Counters since creation or the last reset. Sizes in bytes. */
 typedef struct legacy_gl_statistics {
-  uint64_t programs_generated; /**< program variants turned into GLSL text */
-  uint64_t programs_compiled;  /**< programs compiled and linked by the driver */
-  uint64_t programs_loaded;    /**< programs taken from the cache directory */
-  uint64_t general_draws;      /**< draws that a general program stood in for */
+  uint64_t programs_generated;     /**< program variants turned into GLSL text */
+  uint64_t programs_compiled;      /**< programs compiled and linked by the driver */
+  uint64_t fragment_stages_shared; /**< programs with the fragment stage of an earlier one */
+  uint64_t programs_loaded;        /**< programs taken from the cache directory */
+  uint64_t general_draws;          /**< draws that a general program stood in for */
   uint64_t program_switches;
   uint64_t draws;    /**< draw calls handed to the driver */
   uint64_t batches;  /**< groups of primitives that shared one state */

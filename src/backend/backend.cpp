@@ -153,7 +153,7 @@ bool Backend::use_program(Context& context, const ProgramKey& key, std::uint64_t
     return false;
   }
   if (program != bound_program_) {
-    driver.UseProgram(program);
+    programs_.bind(program);
     bound_program_ = program;
     ++context.statistics.program_switches;
   }

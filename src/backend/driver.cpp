@@ -85,6 +85,13 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   optional(driver.GetProgramBinary, "glGetProgramBinary", binaries);
   optional(driver.ProgramBinary, "glProgramBinary", binaries);
   optional(driver.ProgramParameteri, "glProgramParameteri", binaries);
+  const bool pipelines = !es && (driver.major * 10 + driver.minor >= 41 ||
+                                 has_extension(driver, "GL_ARB_separate_shader_objects"));
+  optional(driver.BindProgramPipeline, "glBindProgramPipeline", pipelines);
+  optional(driver.DeleteProgramPipelines, "glDeleteProgramPipelines", pipelines);
+  optional(driver.GenProgramPipelines, "glGenProgramPipelines", pipelines);
+  optional(driver.UseProgramStages, "glUseProgramStages", pipelines);
+  if (pipelines) optional(driver.ProgramParameteri, "glProgramParameteri", true);
   return DriverStatus::kOk;
 }
 

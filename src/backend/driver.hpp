@@ -116,13 +116,16 @@ namespace legacy_gl {
 
 // Desktop only, or GLES only: nullptr where the driver has none.
 #define LEGACY_GL_OPTIONAL_DRIVER_FUNCTIONS(X)      \
+  X(BindProgramPipeline, BINDPROGRAMPIPELINE)       \
   X(ClearDepth, CLEARDEPTH)                         \
   X(ClearDepthf, CLEARDEPTHF)                       \
+  X(DeleteProgramPipelines, DELETEPROGRAMPIPELINES) \
   X(DepthRange, DEPTHRANGE)                         \
   X(DepthRangef, DEPTHRANGEF)                       \
   X(DrawBuffer, DRAWBUFFER)                         \
   X(DrawBuffers, DRAWBUFFERS)                       \
   X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX) \
+  X(GenProgramPipelines, GENPROGRAMPIPELINES)       \
   X(GetBufferSubData, GETBUFFERSUBDATA)             \
   X(GetProgramBinary, GETPROGRAMBINARY)             \
   X(GetTexImage, GETTEXIMAGE)                       \
@@ -132,7 +135,8 @@ namespace legacy_gl {
   X(PointSize, POINTSIZE)                           \
   X(PolygonMode, POLYGONMODE)                       \
   X(ProgramBinary, PROGRAMBINARY)                   \
-  X(ProgramParameteri, PROGRAMPARAMETERI)
+  X(ProgramParameteri, PROGRAMPARAMETERI)           \
+  X(UseProgramStages, USEPROGRAMSTAGES)
 
 struct Driver {
 #define LEGACY_GL_DECLARE(name, NAME) PFNGL##NAME##PROC name = nullptr;

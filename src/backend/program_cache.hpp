@@ -7,7 +7,7 @@
 
 #include "backend/driver.hpp"
 #include "backend/program_files.hpp"
-#include "shadergen/generate.hpp"
+#include "backend/program_linker.hpp"
 #include "shadergen/program_key.hpp"
 
 namespace legacy_gl {
@@ -32,7 +32,9 @@ class ProgramCache {
 
   /// The specialised program's name; 0 when the driver refuses it, with the reason in error().
   GLuint find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics);
-  const std::string& error() const { return error_; }
+  const std::string& error() const { return linker_.error(); }
+  /// Makes it the driver's current program.
+  void bind(GLuint program) const { linker_.bind(program); }
 
   /// The keys of the programs that are built or would be next, in text, for precompile.
   std::string keys() const;
@@ -56,17 +58,8 @@ class ProgramCache {
   void build_entry(const ProgramKey& key, Entry& entry, legacy_gl_statistics& statistics);
   bool worth_it(const ProgramKey& key, std::uint64_t vertices, Entry& entry);
   GLuint build(const ProgramKey& key, legacy_gl_statistics& statistics);
-  GLuint compile(const ProgramSource& source, legacy_gl_statistics& statistics);
   std::string identity_of(const ProgramKey& key) const;
   GLuint load(const std::string& identity, legacy_gl_statistics& statistics);
-  GLuint load_binary(const StoredProgram& stored);
-  void store(const std::string& identity, GLuint program, const ProgramSource& source);
-  bool offers_format(GLenum format) const;
-  bool is_linked(GLuint program) const;
-  void connect(const ProgramKey& key, GLuint program);
-  void set_sampler(GLuint program, const char* name, unsigned unit);
-  void set_samplers(GLuint program, unsigned count);
-  GLuint compile(GLenum stage, const std::string& text);
 
   const Driver& driver_;
   legacy_gl_programs policy_;
@@ -74,10 +67,9 @@ class ProgramCache {
   ProgramKey last_key_;
   Entry* last_ = nullptr;
   std::uint64_t work_since_last_build_ = 0;
-  std::string error_;
   ProgramFiles files_;
   std::string environment_;  ///< generator, dialect and driver: what stored programs depend on
-  bool binaries_ = false;    ///< the driver gives and takes them
+  ProgramLinker linker_;
 };
 
 }  // namespace legacy_gl

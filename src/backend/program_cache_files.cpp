@@ -43,48 +43,13 @@ std::string ProgramCache::identity_of(const ProgramKey& key) const {
   return environment_ + to_text(key);
 }
 
-bool ProgramCache::offers_format(GLenum format) const {
-  GLint count = 0;
-  driver_.GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &count);
-  std::vector<GLint> formats(static_cast<std::size_t>(std::max(count, 0)));
-  if (count > 0) driver_.GetIntegerv(GL_PROGRAM_BINARY_FORMATS, formats.data());
-  return std::find(formats.begin(), formats.end(), static_cast<GLint>(format)) != formats.end();
-}
-
-GLuint ProgramCache::load_binary(const StoredProgram& stored) {
-  if (!binaries_ || !offers_format(stored.format)) return 0;
-  const GLuint program = driver_.CreateProgram();
-  driver_.ProgramBinary(program, stored.format, stored.binary.data(),
-                        static_cast<GLsizei>(stored.binary.size()));
-  if (is_linked(program)) return program;
-  driver_.DeleteProgram(program);
-  return 0;
-}
-
 GLuint ProgramCache::load(const std::string& identity, legacy_gl_statistics& statistics) {
   const std::optional<StoredProgram> stored = files_.load(identity);
   if (!stored) return 0;
-  const GLuint program = stored->format ? load_binary(*stored)
-                                        : compile({stored->vertex, stored->fragment}, statistics);
+  const GLuint program = linker_.load(*stored, statistics);
   if (program) ++statistics.programs_loaded;
   else files_.erase(identity);
   return program;
-}
-
-void ProgramCache::store(const std::string& identity, GLuint program, const ProgramSource& source) {
-  StoredProgram stored;
-  GLint size = 0;
-  if (binaries_) driver_.GetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &size);
-  if (size > 0) {
-    stored.binary.resize(static_cast<std::size_t>(size));
-    GLsizei written = 0;
-    GLenum format = 0;
-    driver_.GetProgramBinary(program, size, &written, &format, stored.binary.data());
-    stored.binary.resize(static_cast<std::size_t>(std::max(written, 0)));
-    stored.format = format;
-  }
-  if (stored.format == 0 || stored.binary.empty()) stored = {0, "", source.vertex, source.fragment};
-  files_.store(identity, stored);
 }
 
 std::string ProgramCache::keys() const {

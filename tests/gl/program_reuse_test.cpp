@@ -150,6 +150,22 @@ TEST(ProgramReuse, ADirectoryThatCannotBeIsNoError) {
   EXPECT_GE(statistics().programs_compiled, 4u);
 }
 
+// On llvmpipe: lights change the vertex stage alone.
+TEST(ProgramReuse, ProgramsShareTheFragmentStage) {
+  CoreContext context(64, 64);
+  const GlFunctions& gl = context.gl;
+  set_up_scene(gl);
+  draw_scene(gl);
+  gl.Flush();
+  legacy_gl_reset_statistics();
+  const float position[] = {1, 1, 2, 1};
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+  draw_scene(gl);
+  gl.Flush();
+  EXPECT_EQ(statistics().programs_compiled, 2u);  // and that of points
+  EXPECT_EQ(statistics().fragment_stages_shared, 2u);
+}
+
 std::string program_keys() {
   std::string keys(legacy_gl_get_program_keys(nullptr, 0), '\0');
   std::vector<char> text(keys.size() + 1);
