@@ -159,7 +159,7 @@ GLuint ProgramLinker::load(const StoredProgram& stored, legacy_gl_statistics& st
 
 /// The binary of a pipeline is its vertex stage's; the fragment stage is small and shared.
 StoredProgram ProgramLinker::stored(GLuint program, const ProgramSource& source) const {
-  const StoredProgram text{0, "", source.vertex, source.fragment};
+  StoredProgram text{0, "", source.vertex, source.fragment};
   const auto at = programs_.find(program);
   if (!binaries_ || at == programs_.end()) return text;
   const GLuint with_binary = at->second.vertex;
