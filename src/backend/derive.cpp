@@ -140,6 +140,9 @@ constexpr double kLargestProduct = 1e36;
 /// colour that makes a power of 1e-7 visible.
 constexpr double kSquaringIsPlenty = 1e3;
 
+/// Integer shininesses that may become part of programs' text, of each context.
+constexpr std::size_t kMostBakedShininesses = 16;
+
 /// Where the last squarings are of the power itself and make it small, its digits are kept
 /// (emit_functions.cpp).
 bool squaring_serves_any_color(const Context& context, float shininess) {
@@ -465,8 +468,9 @@ void Derived::choose_lights(Context& context) {
     const bool small = key.material[face][kSpecular] == MaterialSource::kColor
                            ? squaring_serves_any_color(context, shininess)
                            : largest_specular < kSquaringIsPlenty;
-    key.integer_shininess[face] =
-        whole && small ? static_cast<std::uint8_t>(shininess) : kGeneralShininess;
+    key.integer_shininess[face] = whole && small && bakes(static_cast<unsigned>(shininess))
+                                      ? static_cast<std::uint8_t>(shininess)
+                                      : kGeneralShininess;
   }
 }
 
@@ -516,6 +520,14 @@ void Derived::fill_up_runs() {
     in_run = 0;
   }
   std::swap(active_, filled_up_);
+}
+
+/// A program that animates the shininess would compile at every value: past a few, no new ones
+/// become part of the text.
+bool Derived::bakes(unsigned shininess) {
+  if (!baked_shininess_.test(shininess) && baked_shininess_.count() < kMostBakedShininesses)
+    baked_shininess_.set(shininess);
+  return baked_shininess_.test(shininess);
 }
 
 void Derived::fill_transform(const Context& context) {

@@ -1,6 +1,7 @@
 #pragma once
 // From GL's state to what a draw needs: the program key and the values of the uniform blocks. No GL
 // call.
+#include <bitset>
 #include <vector>
 
 #include "backend/reached_lights.hpp"
@@ -73,6 +74,7 @@ class Derived {
   void update_transform(Context& context);
   void choose_space(const Context& context, const VertexLayout& layout);
   void choose_materials(const Context& context, const VertexLayout& layout);
+  bool bakes(unsigned shininess);
   void choose_lights(Context& context);
   bool choose_reached(Context& context, const VertexLayout& layout, const DrawBounds* bounds);
   bool choose_normalize(Context& context, bool unit_normals);
@@ -100,6 +102,7 @@ class Derived {
   std::vector<ActiveLight> active_;
   std::vector<ActiveLight> filled_up_;
   LightMask reached_ = LightMask().set();
+  std::bitset<129> baked_shininess_;  ///< the values that programs have in their text
 };
 
 }  // namespace legacy_gl

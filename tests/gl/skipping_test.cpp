@@ -81,6 +81,21 @@ TEST_F(Skipping, BlackLightsAreLeftOut) {
   EXPECT_EQ(second.lights_skipped, 7u);
 }
 
+// Integer shininess is part of a program's text, but not without end.
+TEST_F(Skipping, AnAnimatedShininessStopsCompiling) {
+  const std::uint64_t of_a_scene = draw().programs_compiled;
+  std::uint64_t compiled = 0;
+  for (int shininess = 0; shininess <= 128; ++shininess) {
+    gl.Materiali(GL_FRONT_AND_BACK, GL_SHININESS, shininess);
+    compiled += draw().programs_compiled;
+  }
+  EXPECT_LE(compiled, 17 * of_a_scene);
+  for (int shininess = 0; shininess <= 128; ++shininess) {
+    gl.Materiali(GL_FRONT_AND_BACK, GL_SHININESS, shininess);
+    EXPECT_EQ(draw().programs_compiled, 0u) << "shininess " << shininess;
+  }
+}
+
 TEST_F(Skipping, ATranslationKeepsTheNormalMatrix) {
   gl.Scalef(1, 2, 3);
   draw();
