@@ -35,6 +35,13 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles
   // Mesa's software driver multiplies and adds as C++ does; others may fuse the two.
   const auto* const renderer = reinterpret_cast<const char*>(driver.GetString(GL_RENDERER));
   transforms_as_shaders_ = renderer && std::strstr(renderer, "llvmpipe");
+  // Forward-compatible contexts raise an error for wide lines, whatever range they tell.
+  GLint flags = 0;
+  GLfloat widths[2] = {1, 1};
+  if (!driver.is_es()) driver.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
+  driver.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths);
+  thin_lines_ = flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT || widths[1] <= 1;
+  if (thin_lines_) raster_.keep_lines_thin();
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);
@@ -45,6 +52,10 @@ std::string Backend::program_source(Context& context) {
   derived_.update(context, Recorder::relevant_layout(context), driver.dialect);
   const ProgramSource source = generate(derived_.key, driver.dialect);
   return source.vertex + "\n" + source.fragment;
+}
+
+bool Backend::widens_lines(const Context& context) const {
+  return thin_lines_ && whole_line_width(context.raster.line) > 1;
 }
 
 void Backend::reset_driver_state() {
@@ -244,7 +255,8 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
 void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
   if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
-  if (is_unfilled(context.raster.polygon) && draw_unfilled(context)) return recorder.clear();
+  if ((is_unfilled(context.raster.polygon) || widens_lines(context)) && draw_unfilled(context))
+    return recorder.clear();
   DrawBounds bounds;
   DrawFacts facts;
   if (looks_at_reach(context) && find_bounds(context, bounds)) facts.bounds = &bounds;

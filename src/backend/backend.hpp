@@ -16,6 +16,7 @@
 #include "backend/textures.hpp"
 #include "backend/vertex_arrays.hpp"
 #include "immediate/unfilled.hpp"
+#include "immediate/wide_lines.hpp"
 
 namespace legacy_gl {
 
@@ -73,6 +74,9 @@ class Backend {
   /// Draws the image at the current raster position, zoomed (GL 2.1 spec 3.6.4). Nothing waits.
   void draw_pixels(Context& context, const PixelImage& image);
 
+  /// Lines are made wide here, because the driver draws thin ones alone.
+  bool widens_lines(const Context& context) const;
+
   const Driver driver;
 
  private:
@@ -88,8 +92,10 @@ class Backend {
   bool use_program(Context& context, bool points, std::uint64_t vertices);
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
   bool use_program(Context& context, const ProgramKey& key, std::uint64_t vertices);
-  /// Draws the batch when it has polygons, which become lines or points; otherwise false.
+  /// Draws the batch when it has polygons that become lines or points, or lines that become wide;
+  /// otherwise false.
   bool draw_unfilled(Context& context);
+  void widen_lines_of(Context& context, const VertexLayout& layout, const float* vertices);
   void upload_uniforms(Context& context);
   void upload_with_tail(Context& context, UniformBlock block, const void* head,
                         std::size_t head_size, const void* tail, std::size_t tail_size,
@@ -127,6 +133,7 @@ class Backend {
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
   bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours
+  bool thin_lines_ = false;             ///< the driver refuses wide ones
   bool general_program_ = false;        ///< the program in use reads the general block
   GLuint bound_program_ = 0;
   GLuint bound_array_ = 0;
@@ -135,6 +142,8 @@ class Backend {
   std::vector<float> float_scratch_;
   std::vector<std::byte> block_scratch_;
   ExpandedBatch unfilled_scratch_;
+  std::vector<float> wide_scratch_;
+  std::vector<std::size_t> wide_ends_;  ///< in wide_scratch_, by group of the expanded batch
   std::vector<GLint> first_scratch_;
   std::vector<GLsizei> count_scratch_;
 };

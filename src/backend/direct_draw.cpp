@@ -107,7 +107,9 @@ const void* Backend::write_indices(Context& context, const void* indices, std::s
 
 bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
   const ClientArray& positions = context.arrays.arrays[kVertexArray];
-  if (is_unfilled(context.raster.polygon)) return false;  // the primitives themselves are needed
+  // The primitives themselves are needed.
+  if (is_unfilled(context.raster.polygon) || (is_line(draw.mode) && widens_lines(context)))
+    return false;
   VertexLayout layout = Recorder::relevant_layout(context);
   if (positions.size == 4) layout.fields |= kFieldPositionW;
   for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {

@@ -1,4 +1,6 @@
 // Meshes of display lists, drawn from the buffers that keep them.
+#include <algorithm>
+
 #include "backend/backend.hpp"
 #include "immediate/clip_test.hpp"
 #include "immediate/draw_mesh.hpp"
@@ -21,6 +23,11 @@ bool is_outside(const ListMesh& mesh, const glm::mat4& modelview_projection) {
 }  // namespace
 
 void draw_kept_mesh(Context& context, const ListMesh& mesh) {
+  const auto has_lines = [&mesh] {
+    return std::any_of(mesh.runs.begin(), mesh.runs.end(),
+                       [](const PrimitiveRun& run) { return is_line(run.mode); });
+  };
+  if (context.backend->widens_lines(context) && has_lines()) return record_mesh(context, mesh);
   if (context.backend->join_mesh(context, mesh)) return;
   flush_pending(context);
   context.backend->draw_mesh(context, mesh);

@@ -100,7 +100,7 @@ void RasterApplier::apply(const Driver& driver, const RasterState& wanted,
   if (driver.PointSize && (!known_ || have.point != wanted.point))
     driver.PointSize(whole_point_size(wanted.point));
   if (!known_ || have.line != wanted.line) {
-    driver.LineWidth(wanted.line.width);
+    driver.LineWidth(thin_lines_ ? std::min(wanted.line.width, 1.0f) : wanted.line.width);
     if (!driver.is_es()) set_enabled(driver, GL_LINE_SMOOTH, wanted.line.smooth_enabled);
   }
   driver_state_ = wanted;

@@ -11,11 +11,14 @@ namespace legacy_gl {
 class RasterApplier {
  public:
   void apply(const Driver& driver, const RasterState& wanted, std::uint8_t clip_planes);
+  /// The driver refuses lines wider than one pixel.
+  void keep_lines_thin() { thin_lines_ = true; }
   /// The driver's state is unknown: the next apply hands on everything.
   void forget() { known_ = false; }
 
  private:
   bool known_ = false;
+  bool thin_lines_ = false;
   RasterState driver_state_;
   std::uint8_t clip_planes_ = 0;
 };

@@ -27,11 +27,28 @@ double depth_resolution(const Context& context) {
 
 }  // namespace
 
+void Backend::widen_lines_of(Context& context, const VertexLayout& layout, const float* vertices) {
+  const WideLineState state{.modelview_projection = derived_.transform.modelview_projection,
+                            .viewport = context.raster.viewport,
+                            .width = whole_line_width(context.raster.line)};
+  wide_scratch_.clear();
+  wide_ends_.clear();
+  for (const PrimitiveGroup& group : unfilled_scratch_.groups) {
+    if (is_line(group.mode))
+      widen_lines(layout, vertices, group.mode,
+                  std::span(unfilled_scratch_.indices).subspan(group.first, group.count), state,
+                  wide_scratch_);
+    wide_ends_.push_back(wide_scratch_.size());
+  }
+}
+
 bool Backend::draw_unfilled(Context& context) {
   const Recorder& recorder = context.recorder;
   const std::vector<PrimitiveRun>& runs = recorder.runs();
-  if (std::none_of(runs.begin(), runs.end(),
-                   [](const PrimitiveRun& run) { return is_polygonal(run.mode); }))
+  const bool wide = widens_lines(context), unfilled = is_unfilled(context.raster.polygon);
+  if (std::none_of(runs.begin(), runs.end(), [=](const PrimitiveRun& run) {
+        return (unfilled && is_polygonal(run.mode)) || (wide && is_line(run.mode));
+      }))
     return false;
   prepare(context, recorder.layout());
 
@@ -54,6 +71,7 @@ bool Backend::draw_unfilled(Context& context) {
   const std::size_t size = expanded.own_vertices ? expanded.vertices.size() * sizeof(float)
                                                  : recorder.vertex_count() * stride;
   const float* const vertices = expanded.own_vertices ? expanded.vertices.data() : recorder.data();
+  if (wide) widen_lines_of(context, layout, vertices);
   const auto base_vertex =
       static_cast<std::uint32_t>(vertices_.write(vertices, size, stride) / stride);
   for (std::uint32_t& index : expanded.indices) index += base_vertex;
@@ -64,15 +82,37 @@ bool Backend::draw_unfilled(Context& context) {
   context.statistics.vertices += recorder.vertex_count();
   context.statistics.index_bytes_uploaded += index_bytes;
 
-  bind_vertex_array(arrays_.find_or_build(layout, vertices_.name(), indices_.name()));
-  for (const PrimitiveGroup& group : expanded.groups) {
+  std::size_t wide_vertices = 0, wide_stride = 0;
+  if (wide && !wide_scratch_.empty()) {
+    wide_stride = offsets_of(widened_layout(layout)).stride;
+    const std::size_t bytes = wide_scratch_.size() * sizeof(float);
+    wide_vertices = vertices_.write(wide_scratch_.data(), bytes, wide_stride * sizeof(float)) /
+                    (wide_stride * sizeof(float));
+    context.statistics.vertex_bytes_uploaded += bytes;
+  }
+  for (std::size_t g = 0; g < expanded.groups.size(); ++g) {
+    const PrimitiveGroup& group = expanded.groups[g];
     ProgramKey variant = key;
     variant.points = group.mode == GL_POINTS;
     variant.back_only = group.back;
     variant.lighting_position = state.lighting_position;
     variant.depth_offset =
         group.mode != GL_TRIANGLES && (expanded.layout.fields & kFieldDepthOffset);
+    const bool widened = wide && is_line(group.mode);
+    if (widened) {
+      variant.line_offset = true;
+      variant.depth_offset = variant.fragments.fog_coordinate = false;
+      const std::size_t begin = g ? wide_ends_[g - 1] : 0, end = wide_ends_[g];
+      if (begin == end || !use_program(context, variant, recorder.vertex_count())) continue;
+      bind_vertex_array(
+          arrays_.find_or_build(widened_layout(layout), vertices_.name(), indices_.name()));
+      driver.DrawArrays(GL_LINES, static_cast<GLint>(wide_vertices + begin / wide_stride),
+                        static_cast<GLsizei>((end - begin) / wide_stride));
+      ++context.statistics.draws;
+      continue;
+    }
     if (!use_program(context, variant, recorder.vertex_count())) continue;
+    bind_vertex_array(arrays_.find_or_build(layout, vertices_.name(), indices_.name()));
     driver.DrawElements(
         group.mode, static_cast<GLsizei>(group.count), GL_UNSIGNED_INT,
         reinterpret_cast<const void*>(indices + group.first * sizeof(std::uint32_t)));

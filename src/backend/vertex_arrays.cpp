@@ -49,6 +49,7 @@ GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLui
   if (layout.fields & kFieldLightingPosition)
     attribute(kLocationLightingPosition, offsets.position_size, offsets.lighting_position);
   if (layout.fields & kFieldDepthOffset) attribute(kLocationDepthOffset, 1, offsets.depth_offset);
+  if (layout.fields & kFieldLineOffset) attribute(kLocationLineOffset, 3, offsets.line_offset);
   return array;
 }
 

@@ -7,9 +7,6 @@
 
 namespace legacy_gl {
 
-namespace {
-
-/// The mesh's vertices and primitives join the recorder's batch.
 void record_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   const std::uint32_t count = mesh.vertex_count();
@@ -48,8 +45,6 @@ void record_mesh(Context& context, const ListMesh& mesh) {
   }
   recorder.flush_if_large(context);
 }
-
-}  // namespace
 
 void draw_mesh(Context& context, const ListMesh& mesh) {
   if (context.recorder.inside_begin_end()) return raise_error(context, GL_INVALID_OPERATION);

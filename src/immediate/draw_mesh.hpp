@@ -9,6 +9,9 @@ namespace legacy_gl {
 /// where polygons are unfilled.
 void draw_mesh(legacy_gl_context& context, const ListMesh& mesh);
 
+/// The mesh's vertices and primitives join the recorder's batch.
+void record_mesh(legacy_gl_context& context, const ListMesh& mesh);
+
 /// The first of the two ways: the backend's.
 void draw_kept_mesh(legacy_gl_context& context, const ListMesh& mesh);
 

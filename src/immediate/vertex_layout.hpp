@@ -20,6 +20,9 @@ enum VertexField : std::uint16_t {
   /// Objects with matrices of their own in one batch: the position is in clip coordinates (4
   /// floats), normal and lighting position are in eye coordinates.
   kFieldTransformed = 256,
+  /// 3 floats: offsets in normalised device coordinates, of one of the lines that make a wide one
+  /// (x, y) and of the polygon (z).
+  kFieldLineOffset = 512,
 };
 
 struct VertexLayout {
@@ -34,7 +37,7 @@ struct VertexLayout {
 struct VertexOffsets {
   unsigned position_size = 3;
   unsigned normal = 0, color = 0, secondary_color = 0, fog_coord = 0, edge_flag = 0;
-  unsigned lighting_position = 0, depth_offset = 0;
+  unsigned lighting_position = 0, depth_offset = 0, line_offset = 0;
   unsigned texcoords[kMaxTextureUnits] = {};
   unsigned materials[2 * kPropertyCount] = {};
   unsigned materials_begin = 0, materials_end = 0;
@@ -76,6 +79,7 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
   if (layout.fields & kFieldLightingPosition)
     take(offsets.lighting_position, offsets.position_size);
   if (layout.fields & kFieldDepthOffset) take(offsets.depth_offset, 1);
+  if (layout.fields & kFieldLineOffset) take(offsets.line_offset, 3);
   offsets.stride = at;
   return offsets;
 }

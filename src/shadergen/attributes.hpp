@@ -14,7 +14,8 @@ enum AttributeLocation : unsigned {
   kLocationLightingPosition = 4,
   kLocationPixelPlace = kLocationLightingPosition,  ///< of pixel rectangles
   kLocationDepthOffset = 5,
-  /// Polygon offset of unfilled polygons goes first where both are asked for.
+  /// Offsets of polygons and of wide lines go first where both are asked for.
+  kLocationLineOffset = kLocationDepthOffset,
   kLocationFogCoord = kLocationDepthOffset,
   /// From here on: the material properties that come with the vertices, one after the other.
   kLocationMaterial = 6,

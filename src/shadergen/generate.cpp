@@ -29,6 +29,7 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
   if (is_zoomed(key.pixels)) emit_input(w, kLocationPixelPlace, "vec4", "pixel_place");
   if (key.lighting_position) emit_input(w, kLocationLightingPosition, "vec4", "lighting_position");
   if (key.depth_offset) emit_input(w, kLocationDepthOffset, "float", "depth_offset");
+  if (key.line_offset) emit_input(w, kLocationLineOffset, "vec3", "line_offset");
   if (key.fragments.fog_coordinate) emit_input(w, kLocationFogCoord, "float", "fog_coordinate");
   if (reads_color(key)) emit_input(w, kLocationColor, "vec4", "color");
   if (key.secondary_from_vertex) emit_input(w, kLocationSecondaryColor, "vec3", "secondary_color");
@@ -88,6 +89,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (pixels) w.line("texel = texel_position;");
   if (is_zoomed(key.pixels)) w.line("place = pixel_place;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
+  if (key.line_offset) w.line("gl_Position.xyz += line_offset * gl_Position.w;");
   if (key.points) emit_point(w, dialect);
   emit_clip_distances(w, key.fragments, dialect);
   emit_fog_coordinate(w, key.fragments);

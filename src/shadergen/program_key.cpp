@@ -56,7 +56,8 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
                         key.angle_error,
                         key.scaled_sums,
                         key.lighting_position,
-                        key.depth_offset};
+                        key.depth_offset,
+                        key.line_offset};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
@@ -123,6 +124,7 @@ std::string describe(const ProgramKey& key) {
   if (key.back_only) append(text, "back faces");
   if (key.lighting_position) append(text, "lit at a position of its own");
   if (key.depth_offset) append(text, "depth offset");
+  if (key.line_offset) append(text, "line offset");
   describe_fragments(text, key.fragments);
   static constexpr const char* kPixels[] = {"", "bitmap", "pixels", "depth pixels",
                                             "stencil pixels"};

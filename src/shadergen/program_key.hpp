@@ -90,6 +90,7 @@ struct ProgramKey {
   /// coordinates where positions come transformed.
   bool lighting_position = false;
   bool depth_offset = false;  ///< unfilled with polygon offset
+  bool line_offset = false;   ///< lines that make wide ones, where the driver has none
   PixelSource pixels = PixelSource::kNone;
   LightingSpace space = LightingSpace::kObject;
   NormalMode normal = NormalMode::kAsIs;

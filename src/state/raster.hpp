@@ -85,6 +85,12 @@ struct LineState {
   bool operator==(const LineState&) const = default;
 };
 
+/// Aliased lines are whole pixels wide (GL 2.1 spec 3.4.2).
+inline unsigned whole_line_width(const LineState& line) {
+  constexpr float kMost = 255;
+  return static_cast<unsigned>(std::clamp(std::floor(line.width + 0.5f), 1.0f, kMost));
+}
+
 struct ScissorState {
   bool test_enabled = false;
   std::array<GLint, 4> box{};  ///< x, y, width, height in window coordinates

@@ -43,8 +43,10 @@ class RandomKeys {
     key.points = chance(5);
     key.position4 = chance(4);
     key.depth_offset = chance(8);
+    key.line_offset = !key.points && !key.depth_offset && chance(8);
     key.fragments.fog = chance(3) ? static_cast<FogMode>(below(4)) : FogMode::kNone;
-    key.fragments.fog_coordinate = key.fragments.has_fog() && !key.depth_offset && chance(3);
+    key.fragments.fog_coordinate =
+        key.fragments.has_fog() && !key.depth_offset && !key.line_offset && chance(3);
     if (chance(4)) key.fragments.alpha = static_cast<AlphaFunction>(below(8));
     if (chance(5)) key.fragments.clip_planes = static_cast<std::uint8_t>(below(64));
     key.lit = !chance(6);
