@@ -47,7 +47,7 @@ void emit_lighting_blocks(Writer& w, const ProgramKey& key);
 /// Functions that lighting calls: unit vectors, powers.
 void emit_lighting_functions(Writer& w, const ProgramKey& key);
 void emit_unit_of_any(Writer& w);
-void emit_power_of_complement(Writer& w);
+void emit_power_of(Writer& w);
 
 /// Statements that turn `position` (where it is read) and `normal` into `vertex` and `n` in
 /// lighting space.

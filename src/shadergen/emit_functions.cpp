@@ -102,10 +102,10 @@ float power(float x, float s) {
 
 )";
 
-constexpr const char* kLog2OfComplement =
-    R"(// log2(1 - q). The series takes its argument from q itself, which 1 - q has rounded.
-float log2_of_complement(float q) {
-  float x = max(1.0 - q, 1e-37);
+constexpr const char* kLog2Of =
+    R"(// log2(x), where q is 1 - x. Near 1 the series takes its argument from q, which x has rounded.
+float log2_of(float x, float q) {
+  x = max(x, 1e-37);
   int bits = floatBitsToInt(x);
   int exponent = (bits - 0x3f3504f3) >> 23;
   float d = exponent == 0 ? -q : intBitsToFloat(bits - (exponent << 23)) - 1.0;
@@ -118,24 +118,31 @@ float log2_of_complement(float q) {
 
 )";
 
-constexpr const char* kPowerOfComplement = R"(// (1 - q)^s; 0^0 is 1
-float power_of_complement(float q, float s) {
-  float power = exp2(s * log2_of_complement(q));
-  return q < 1.0 ? power : (s == 0.0 ? 1.0 : 0.0);
+constexpr const char* kPowerOf = R"(// x^s, where q is 1 - x; 0^0 is 1
+float power_of(float x, float q, float s) {
+  float power = exp2(s * log2_of(x, q));
+  return x > 0.0 ? power : (s == 0.0 ? 1.0 : 0.0);
 }
 
 )";
 
-constexpr const char* kPrecisePowerOfComplement =
-    R"(// (1 - q)^s; 0^0 is 1. Drivers' exp2 may have no more than 20 bits, this series has all.
-float power_of_complement(float q, float s) {
-  float t = clamp(s * log2_of_complement(q), -126.0, 126.0);
+constexpr const char* kPrecisePowerOf =
+    R"(// x^s, where q is 1 - x; 0^0 is 1. Drivers' exp2 may have no more than 20 bits, this series has all.
+float power_of(float x, float q, float s) {
+  float t = clamp(s * log2_of(x, q), -126.0, 126.0);
   float whole = floor(t + 0.5);
   float f = t - whole;
   float power = 1.0 + f * (0.693147181 + f * (0.240226507 + f * (0.0555041087 + f * (0.00961812911 +
                 f * (0.00133335581 + f * (0.000154035304 + f * 0.0000152527338))))));
   power *= intBitsToFloat((int(whole) + 127) << 23);
-  return q < 1.0 ? power : (s == 0.0 ? 1.0 : 0.0);
+  return x > 0.0 ? power : (s == 0.0 ? 1.0 : 0.0);
+}
+
+)";
+
+constexpr const char* kPowerOfComplement = R"(// (1 - q)^s
+float power_of_complement(float q, float s) {
+  return power_of(1.0 - q, q, s);
 }
 
 )";
@@ -167,9 +174,9 @@ bool any_light(const ProgramKey& key, std::uint8_t bits) {
 
 void emit_unit_of_any(Writer& w) { w.raw(kUnitOfAny); }
 
-void emit_power_of_complement(Writer& w) {
-  w.raw(kLog2OfComplement);
-  w.raw(kPowerOfComplement);
+void emit_power_of(Writer& w) {
+  w.raw(kLog2Of);
+  w.raw(kPowerOf);
 }
 
 void emit_lighting_functions(Writer& w, const ProgramKey& key) {
@@ -188,9 +195,11 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
   if (half_vectors && precise) emit_precise_half_vector_function(w, key);
   else if (half_vectors && !fastest) w.raw(kHalfVectorOfUnits);
   const bool spot_powers = any_light(key, kLightSpotExponent);
-  if (!fastest && (general_shininess || spot_powers)) w.raw(kLog2OfComplement);
-  if (precise && (general_shininess || spot_powers)) w.raw(kPrecisePowerOfComplement);
-  else if (general_shininess) w.raw(fastest ? kPower : kPowerOfComplement);
+  if (!fastest && (general_shininess || spot_powers)) w.raw(kLog2Of);
+  if (precise && (general_shininess || spot_powers)) w.raw(kPrecisePowerOf);
+  else if (general_shininess) w.raw(fastest ? kPower : kPowerOf);
+  const bool complements = half_vectors || key.normal == NormalMode::kNormalize;
+  if (!fastest && general_shininess && complements) w.raw(kPowerOfComplement);
   if (!specular) return;
   if (!fastest) {
     if (key.normal == NormalMode::kNormalize) w.raw(kComplementOfUnits);

@@ -101,11 +101,12 @@ void emit_strength(Writer& w, const ProgramKey& key, std::uint8_t kind, const st
     const std::string inside =
         kind & kLightSpotExponent
             ? (key.quality == Quality::kPrecise
-                   ? "power_of_complement(one_minus_cosine, " + light + ".attenuation.w)"
+                   ? "power_of(1.0 - one_minus_cosine, one_minus_cosine, " + light +
+                         ".attenuation.w)"
                    : "exp2(" + light + ".attenuation.w * " +
                          (key.quality == Quality::kFastest
                               ? "log2(1.0 - one_minus_cosine))"
-                              : "log2_of_complement(one_minus_cosine))"))
+                              : "log2_of(1.0 - one_minus_cosine, one_minus_cosine))"))
             : "1.0";
     w.line(target + "one_minus_cosine <= " + light + ".spot_direction.w ? " + inside + " : 0.0;");
   }
@@ -153,12 +154,25 @@ std::string complement(const ProgramKey& key, std::uint8_t kind, unsigned face,
   return "complement(" + e + ", " + n + ", h, half_excess)";
 }
 
+/// A colour that leaves float32's range may be met by a power that does: its square root does not.
+bool takes_roots(const ProgramKey& key, unsigned face) {
+  return key.scaled_sums && key.integer_shininess[face] == kGeneralShininess;
+}
+
 std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
                   const std::string& light) {
   const std::string q = complement(key, kind, face, light);
   if (key.integer_shininess[face] != kGeneralShininess)
     return std::string(kSide[face]) + "_shine(" + q + ")";
-  return (key.quality == Quality::kFastest ? "power(" : "power_of_complement(") + q + ", " +
+  std::string arguments = q;
+  const char* function = "power_of_complement(";
+  if (key.quality == Quality::kFastest) {
+    function = "power(";
+  } else if (half_vector_is_uniform(key, kind) && key.normal != NormalMode::kNormalize) {
+    function = "power_of(";
+    arguments = std::string(face ? "-" : "") + "(n_dot_h + n_dot_h_rest), " + q;
+  }
+  return function + arguments + ", " + (takes_roots(key, face) ? "0.5 * " : "") +
          (key.material[face][kShininess] == MaterialSource::kVertex
               ? material_expression(key, face, kShininess)
               : std::string(kSide[face]) + "_ambient_light.w") +
@@ -181,10 +195,17 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
   if (kind & kLightDiffuse)
     light.add(sum_of(key, face, kDiffuse),
               "max(" + n_dot_l + ", 0.0) * " + products + "diffuse.rgb");
-  if (kind & kLightSpecular)
-    light.add(sum_of(key, face, kSpecular), "(" + facing + " ? " +
-                                                shine(key, kind, face, "lights[" + index + "]") +
-                                                " : 0.0) * " + products + "specular.rgb");
+  if (kind & kLightSpecular) {
+    std::string shining =
+        "(" + facing + " ? " + shine(key, kind, face, "lights[" + index + "]") + " : 0.0)";
+    if (takes_roots(key, face)) {
+      w.line("float " + side + "_root = " + shining + ";");
+      shining = side + "_root * (" + side + "_root * ";
+    }
+    const std::string color = products + "specular.rgb";
+    light.add(sum_of(key, face, kSpecular),
+              takes_roots(key, face) ? shining + color + ")" : shining + " * " + color);
+  }
   for (const Sums::Sum& sum : light.sums)
     w.line(sum.name + " += " + (scaled ? "strength * (" + sum.terms + ")" : sum.terms) + ";");
 }

@@ -39,23 +39,25 @@ constexpr const char* kLightGeometry = R"(    vec3 to_light = lights[i].position
     vec3 chord = to_light + lights[i].spot_direction.xyz;
     float one_minus_cosine = 0.5 * dot(chord, chord);
     float cone = one_minus_cosine <= lights[i].spot_direction.w
-                      ? power_of_complement(one_minus_cosine, lights[i].attenuation.w)
+                      ? power_of(1.0 - one_minus_cosine, one_minus_cosine, lights[i].attenuation.w)
                       : 0.0;
     strength = i >= light_ends.y ? strength * cone : strength;
     bool own = i >= computed_half_vectors;
     vec3 h = own ? unit_of_any(to_light + to_viewer) : lights[i].half_vector.xyz + lights[i].attenuation.xyz;
     float n_dot_l = dot(n, to_light);
+    float n_dot_h = dot(n, h);
 )";
 
 void emit_face(Writer& w, const ProgramKey& key, unsigned face) {
-  const std::string side = kSide[face], n = face ? "-n" : "n";
+  const std::string side = kSide[face];
   const std::string shininess = key.material[face][kShininess] == MaterialSource::kVertex
                                     ? std::string(kMaterialAttributeNames[face][kShininess])
                                     : side + "_ambient_light.w";
   const std::string facing = face ? "n_dot_l < 0.0" : "n_dot_l > 0.0";
-  const std::string specular = "(" + facing + " ? power_of_complement(min(1.0 - dot(" + n +
-                               ", h), 1.0), " + shininess + ") : 0.0) * " +
-                               times_material(key, face, kSpecular, "specular");
+  const std::string n_dot_h = face ? "-n_dot_h" : "n_dot_h";
+  const std::string specular = "(" + facing + " ? power_of(" + n_dot_h +
+                               (face ? ", 1.0 + n_dot_h, " : ", 1.0 - n_dot_h, ") + shininess +
+                               ") : 0.0) * " + times_material(key, face, kSpecular, "specular");
   std::string sum = times_material(key, face, kAmbient, "ambient") + " + max(" +
                     (face ? "-n_dot_l" : "n_dot_l") + ", 0.0) * " +
                     times_material(key, face, kDiffuse, "diffuse");
@@ -105,7 +107,7 @@ void emit_general_blocks(Writer& w, const ProgramKey& key) {
 
 void emit_general_functions(Writer& w) {
   emit_unit_of_any(w);
-  emit_power_of_complement(w);
+  emit_power_of(w);
 }
 
 void emit_general_space(Writer& w, const ProgramKey& key) {
