@@ -71,14 +71,33 @@ void Backend::apply_raster(Context& context) {
   raster_.apply(driver, context.raster, context.transform.clip.enabled);
 }
 
-void Backend::upload_block(Context& context, UniformBlock block, const void* data, std::size_t size,
-                           std::size_t room) {
-  const std::size_t offset = uniforms_.write(data, size, uniform_alignment_, room);
-  driver.BindBufferRange(GL_UNIFORM_BUFFER, block, uniforms_.name(), static_cast<GLintptr>(offset),
-                         static_cast<GLsizeiptr>(room));
+std::byte* Backend::stage_block(Context& context, UniformBlock block, std::size_t size,
+                                std::size_t room) {
+  const std::size_t offset =
+      (block_scratch_.size() + uniform_alignment_ - 1) / uniform_alignment_ * uniform_alignment_;
+  block_scratch_.resize(offset + room);
+  staged_[staged_count_++] = {block, offset, room};
   derived_.stale[block] = false;
   context.statistics.uniform_bytes_uploaded += size;
   ++context.statistics.uniform_block_updates;
+  return block_scratch_.data() + offset;
+}
+
+void Backend::stage_block(Context& context, UniformBlock block, const void* data,
+                          std::size_t size) {
+  std::memcpy(stage_block(context, block, size, size), data, size);
+}
+
+void Backend::upload_staged() {
+  if (staged_count_ == 0) return;
+  const std::size_t at =
+      uniforms_.write(block_scratch_.data(), block_scratch_.size(), uniform_alignment_);
+  for (unsigned i = 0; i < staged_count_; ++i)
+    driver.BindBufferRange(GL_UNIFORM_BUFFER, staged_[i].block, uniforms_.name(),
+                           static_cast<GLintptr>(at + staged_[i].offset),
+                           static_cast<GLsizeiptr>(staged_[i].room));
+  staged_count_ = 0;
+  block_scratch_.clear();
 }
 
 void Backend::upload_uniforms(Context& context) {
@@ -90,53 +109,55 @@ void Backend::upload_uniforms(Context& context) {
   upload_stale_blocks(context);
 }
 
-void Backend::upload_with_tail(Context& context, UniformBlock block, const void* head,
-                               std::size_t head_size, const void* tail, std::size_t tail_size,
-                               std::size_t room) {
-  block_scratch_.resize(head_size + tail_size);
-  std::memcpy(block_scratch_.data(), head, head_size);
-  if (tail_size) std::memcpy(block_scratch_.data() + head_size, tail, tail_size);
-  upload_block(context, block, block_scratch_.data(), block_scratch_.size(),
-               std::max(room, block_scratch_.size()));
+void Backend::stage_with_tail(Context& context, UniformBlock block, const void* head,
+                              std::size_t head_size, const void* tail, std::size_t tail_size,
+                              std::size_t room) {
+  const std::size_t size = head_size + tail_size;
+  std::byte* const to = stage_block(context, block, size, std::max(room, size));
+  if (head_size) std::memcpy(to, head, head_size);
+  if (tail_size) std::memcpy(to + head_size, tail, tail_size);
 }
 
 void Backend::upload_stale_blocks(Context& context) {
+  stage_stale_blocks(context);
+  upload_staged();
+}
+
+/// All that go up together share one mapping of the ring.
+void Backend::stage_stale_blocks(Context& context) {
   if (derived_.stale[kTransformBlock])
-    upload_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform,
-                 sizeof derived_.transform);
+    stage_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform);
   const FragmentKey& fragments = derived_.key.fragments;
   if (derived_.stale[kFragmentsBlock] && (fragments.has_fog() || fragments.has_alpha_test()))
-    upload_block(context, kFragmentsBlock, &derived_.fragments, sizeof derived_.fragments,
-                 sizeof derived_.fragments);
+    stage_block(context, kFragmentsBlock, &derived_.fragments, sizeof derived_.fragments);
   if (derived_.stale[kClipPlanesBlock] && fragments.clip_planes)
-    upload_block(context, kClipPlanesBlock, &derived_.clip_planes, sizeof derived_.clip_planes,
-                 sizeof derived_.clip_planes);
+    stage_block(context, kClipPlanesBlock, &derived_.clip_planes, sizeof derived_.clip_planes);
   if (derived_.key.textures.count && derived_.stale[kTexturesBlock])
-    upload_with_tail(context, kTexturesBlock, &derived_.textures, sizeof derived_.textures,
-                     derived_.texture_units.data(),
-                     derived_.texture_units.size() * sizeof(TextureUnitUniforms), 0);
+    stage_with_tail(context, kTexturesBlock, &derived_.textures, sizeof derived_.textures,
+                    derived_.texture_units.data(),
+                    derived_.texture_units.size() * sizeof(TextureUnitUniforms), 0);
   if (!derived_.key.lit) return;
   const bool general = general_program_;
   if (general && derived_.stale[kGeneralBlock])
-    upload_block(context, kGeneralBlock, &derived_.general, sizeof derived_.general,
-                 sizeof derived_.general);
+    stage_block(context, kGeneralBlock, &derived_.general, sizeof derived_.general);
   // Programs that are not made for this number of lights have arrays of a power of two.
   std::size_t capacity = kGeneralLights;
   while (capacity < derived_.lights.size()) capacity *= 2;
   if (derived_.stale[kLightsBlock] && (general || !derived_.lights.empty()))
-    upload_block(context, kLightsBlock, derived_.lights.data(),
-                 derived_.lights.size() * sizeof(LightUniforms), capacity * sizeof(LightUniforms));
+    stage_with_tail(context, kLightsBlock, nullptr, 0, derived_.lights.data(),
+                    derived_.lights.size() * sizeof(LightUniforms),
+                    capacity * sizeof(LightUniforms));
   for (unsigned face = 0; face < (derived_.key.two_side ? 2u : 1u); ++face) {
     if (!derived_.stale[kFrontBlock + face]) continue;
     const FaceUniforms& uniforms = derived_.faces[face];
-    upload_with_tail(context, static_cast<UniformBlock>(kFrontBlock + face), &uniforms.head,
-                     sizeof uniforms.head, uniforms.products.data(),
-                     uniforms.products.size() * sizeof(LightProducts),
-                     sizeof uniforms.head + capacity * sizeof(LightProducts));
+    stage_with_tail(context, static_cast<UniformBlock>(kFrontBlock + face), &uniforms.head,
+                    sizeof uniforms.head, uniforms.products.data(),
+                    uniforms.products.size() * sizeof(LightProducts),
+                    sizeof uniforms.head + capacity * sizeof(LightProducts));
   }
   if (derived_.stale[kPreciseBlock] && derived_.key.quality == Quality::kPrecise)
-    upload_with_tail(context, kPreciseBlock, &derived_.precise, sizeof derived_.precise,
-                     derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow), 0);
+    stage_with_tail(context, kPreciseBlock, &derived_.precise, sizeof derived_.precise,
+                    derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow), 0);
 }
 
 void Backend::prepare(Context& context, const VertexLayout& layout) {
@@ -164,7 +185,7 @@ bool Backend::use_program(Context& context, const ProgramKey& key, std::uint64_t
     return false;
   }
   if (program != bound_program_) {
-    programs_.bind(program);
+    programs_.bind(program, bound_program_ != 0);
     bound_program_ = program;
     ++context.statistics.program_switches;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -97,13 +98,16 @@ class Backend {
   bool draw_unfilled(Context& context);
   void widen_lines_of(Context& context, const VertexLayout& layout, const float* vertices);
   void upload_uniforms(Context& context);
-  void upload_with_tail(Context& context, UniformBlock block, const void* head,
-                        std::size_t head_size, const void* tail, std::size_t tail_size,
-                        std::size_t room);
   void upload_stale_blocks(Context& context);
-  /// The block is bound with room for `room` bytes, as programs with longer arrays ask for.
-  void upload_block(Context& context, UniformBlock block, const void* data, std::size_t size,
-                    std::size_t room);
+  void stage_stale_blocks(Context& context);
+  /// Where the block's values are to be written before upload_staged. It is bound with room for
+  /// `room` bytes, as programs with longer arrays ask for.
+  std::byte* stage_block(Context& context, UniformBlock block, std::size_t size, std::size_t room);
+  void stage_block(Context& context, UniformBlock block, const void* data, std::size_t size);
+  void stage_with_tail(Context& context, UniformBlock block, const void* head,
+                       std::size_t head_size, const void* tail, std::size_t tail_size,
+                       std::size_t room);
+  void upload_staged();
   void bind_vertex_array(GLuint array);
   bool can_transform(Context& context);
   bool begin_transformed(Context& context);
@@ -140,7 +144,13 @@ class Backend {
   std::vector<std::uint32_t> index_scratch_;
   std::vector<std::uint32_t> element_scratch_;
   std::vector<float> float_scratch_;
+  struct StagedBlock {
+    UniformBlock block;
+    std::size_t offset, room;
+  };
   std::vector<std::byte> block_scratch_;
+  std::array<StagedBlock, kUniformBlockCount> staged_{};
+  unsigned staged_count_ = 0;
   ExpandedBatch unfilled_scratch_;
   std::vector<float> wide_scratch_;
   std::vector<std::size_t> wide_ends_;  ///< in wide_scratch_, by group of the expanded batch

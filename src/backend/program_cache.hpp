@@ -34,7 +34,7 @@ class ProgramCache {
   GLuint find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics);
   const std::string& error() const { return linker_.error(); }
   /// Makes it the driver's current program.
-  void bind(GLuint program) const { linker_.bind(program); }
+  void bind(GLuint program, bool after_ours) const { linker_.bind(program, after_ours); }
 
   /// The keys of the programs that are built or would be next, in text, for precompile.
   std::string keys() const;

@@ -178,9 +178,9 @@ StoredProgram ProgramLinker::stored(GLuint program, const ProgramSource& source)
   return stored;
 }
 
-void ProgramLinker::bind(GLuint program) const {
+void ProgramLinker::bind(GLuint program, bool after_ours) const {
   if (!pipelines_) return driver_.UseProgram(program);
-  driver_.UseProgram(0);  // a program in use would hide the pipeline
+  if (!after_ours) driver_.UseProgram(0);  // a program in use would hide the pipeline
   driver_.BindProgramPipeline(program);
 }
 

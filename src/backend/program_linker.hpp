@@ -28,7 +28,8 @@ class ProgramLinker {
   StoredProgram stored(GLuint program, const ProgramSource& source) const;
   /// What a program begins without, whether it is linked or loaded: blocks and samplers.
   void connect(const ProgramKey& key, GLuint program);
-  void bind(GLuint program) const;
+  /// `after_ours`: the program before it was bound here too.
+  void bind(GLuint program, bool after_ours) const;
   const std::string& error() const { return error_; }
 
  private:
