@@ -107,6 +107,7 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
   level.color_sum_enabled = context.color_sum_enabled;
   level.read_buffer = context.read_buffer;
   level.pixel_transfer = context.pixels.transfer;
+  level.evaluators = context.evaluators.modes;
   if (mask & GL_ENABLE_BIT) save_enables(context, level.enables);
 }
 
@@ -129,6 +130,7 @@ void restore_attributes(Context& context, const SavedAttributes& level) {
     assign(context, context.color_sum_enabled, level.color_sum_enabled, kDirtyKey);
     assign(context, context.fog, level.fog, kDirtyKey | kDirtyFragments);
   }
+  if (mask & GL_EVAL_BIT) context.evaluators.modes = level.evaluators;
   if (mask & GL_HINT_BIT) context.hints = level.hints;
   if (mask & GL_LIST_BIT) context.lists.base = level.list_base;
   if (mask & GL_TEXTURE_BIT) restore_textures(context, level.texture);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "evaluator/evaluator.hpp"
 #include "immediate/client_arrays.hpp"
 #include "lighting/lighting_state.hpp"
 #include "state/clip_planes.hpp"
@@ -46,6 +47,7 @@ struct SavedAttributes {
   bool color_sum_enabled = false;
   GLenum read_buffer = GL_NONE;
   PixelTransfer pixel_transfer;
+  EvaluatorModes evaluators;
   std::vector<std::uint8_t> enables;  ///< in the order of enable_group()
 };
 

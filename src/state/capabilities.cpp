@@ -1,6 +1,7 @@
 #include "state/capabilities.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include "backend/backend.hpp"
 #include "lighting/setters.hpp"
@@ -34,6 +35,15 @@ bool* raster_flag(RasterState& raster, GLenum capability) {
   }
 }
 
+/// The set that holds an evaluator's map, and its bit there; nullptr for what is no map.
+template <typename Modes>  // const or not
+auto map_flag(Modes& modes, GLenum capability) -> std::pair<decltype(&modes.enabled[0]), unsigned> {
+  const GLenum curve = capability - GL_MAP1_COLOR_4, surface = capability - GL_MAP2_COLOR_4;
+  if (curve < kMapCount) return {&modes.enabled[0], 1u << curve};
+  if (surface < kMapCount) return {&modes.enabled[1], 1u << surface};
+  return {nullptr, 0};
+}
+
 /// The flag of the active texture unit; nullptr for what is none of a unit's.
 template <typename Unit>  // const or not
 auto texture_flag(Unit& unit, GLenum capability) -> decltype(&unit.enabled[0]) {
@@ -60,7 +70,26 @@ void enable_texture(Context& context, bool& flag, bool enabled) {
 
 /// Those of GL_ENABLE_BIT (GL 2.1 spec table 6.6 to 6.33); client arrays are not among them.
 constexpr GLenum kEnableGroup[] = {GL_ALPHA_TEST,
+                                   GL_AUTO_NORMAL,
                                    GL_BLEND,
+                                   GL_MAP1_COLOR_4,
+                                   GL_MAP1_INDEX,
+                                   GL_MAP1_NORMAL,
+                                   GL_MAP1_TEXTURE_COORD_1,
+                                   GL_MAP1_TEXTURE_COORD_2,
+                                   GL_MAP1_TEXTURE_COORD_3,
+                                   GL_MAP1_TEXTURE_COORD_4,
+                                   GL_MAP1_VERTEX_3,
+                                   GL_MAP1_VERTEX_4,
+                                   GL_MAP2_COLOR_4,
+                                   GL_MAP2_INDEX,
+                                   GL_MAP2_NORMAL,
+                                   GL_MAP2_TEXTURE_COORD_1,
+                                   GL_MAP2_TEXTURE_COORD_2,
+                                   GL_MAP2_TEXTURE_COORD_3,
+                                   GL_MAP2_TEXTURE_COORD_4,
+                                   GL_MAP2_VERTEX_3,
+                                   GL_MAP2_VERTEX_4,
                                    GL_CLIP_PLANE0,
                                    GL_CLIP_PLANE1,
                                    GL_CLIP_PLANE2,
@@ -119,11 +148,8 @@ bool is_unbuilt_capability(GLenum capability) {
   switch (capability) {
     case GL_LINE_STIPPLE:
     case GL_POLYGON_STIPPLE:
-    case GL_POINT_SMOOTH:
-    case GL_AUTO_NORMAL: return true;
-    default:
-      return (capability >= GL_MAP1_COLOR_4 && capability <= GL_MAP1_VERTEX_4) ||
-             (capability >= GL_MAP2_COLOR_4 && capability <= GL_MAP2_VERTEX_4);
+    case GL_POINT_SMOOTH: return true;
+    default: return false;
   }
 }
 
@@ -164,6 +190,7 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
     case GL_RESCALE_NORMAL:
       assign(context, context.transform.rescale_normal_enabled, enabled, kDirtyTransform);
       return true;
+    case GL_AUTO_NORMAL: context.evaluators.modes.auto_normal = enabled; return true;
     case GL_COLOR_SUM: assign(context, context.color_sum_enabled, enabled, kDirtyKey); return true;
     case GL_FOG:
       assign(context, context.fog.enabled, enabled, kDirtyKey | kDirtyFragments);
@@ -184,6 +211,10 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
   }
   if (bool* const flag = texture_flag(context.texture.units[context.active_texture], capability)) {
     enable_texture(context, *flag, enabled);
+    return true;
+  }
+  if (const auto [enables, bit] = map_flag(context.evaluators.modes, capability); enables) {
+    *enables = static_cast<std::uint16_t>(enabled ? *enables | bit : *enables & ~bit);
     return true;
   }
   if (is_unbuilt_capability(capability)) {
@@ -214,11 +245,14 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
     case GL_RESCALE_NORMAL: return context.transform.rescale_normal_enabled;
     case GL_COLOR_SUM: return context.color_sum_enabled;
     case GL_FOG: return context.fog.enabled;
+    case GL_AUTO_NORMAL: return context.evaluators.modes.auto_normal;
     case GL_ALPHA_TEST: return context.raster.color_buffer.alpha_test_enabled;
     default: break;
   }
   if (const GLenum plane = capability - GL_CLIP_PLANE0; plane < kMaxClipPlanes)
     return (context.transform.clip.enabled >> plane & 1) != 0;
+  if (const auto [enables, bit] = map_flag(context.evaluators.modes, capability); enables)
+    return (*enables & bit) != 0;
   if (is_unbuilt_capability(capability)) return false;
   const TextureUnit& unit = context.texture.units[context.active_texture];
   if (const bool* const flag = texture_flag(unit, capability)) return *flag;

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "dlist/list_state.hpp"
+#include "evaluator/evaluator.hpp"
 #include "immediate/client_arrays.hpp"
 #include "immediate/recorder.hpp"
 #include "lighting/lighting_state.hpp"
@@ -59,6 +60,7 @@ struct legacy_gl_context {
   legacy_gl::TextureState texture;
   legacy_gl::HintState hints;
   legacy_gl::SelectionState selection;
+  legacy_gl::EvaluatorState evaluators;
   legacy_gl::PixelStore pack, unpack;
   legacy_gl::PixelState pixels;
   GLenum read_buffer = GL_FRONT;  ///< set when the framebuffer is known

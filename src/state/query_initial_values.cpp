@@ -27,12 +27,7 @@ constexpr Query kTexture[] = {
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
 };
 
-constexpr Query kEvaluatorsAndFeedback[] = {
-    {GL_MAX_EVAL_ORDER, kInteger, fixed<30>},
-    {GL_MAP1_GRID_DOMAIN, kFloat, fixed<0, 1>},
-    {GL_MAP1_GRID_SEGMENTS, kInteger, fixed<1>},
-    {GL_MAP2_GRID_DOMAIN, kFloat, fixed<0, 1, 0, 1>},
-    {GL_MAP2_GRID_SEGMENTS, kInteger, fixed<1, 1>},
+constexpr Query kFeedback[] = {
     {GL_FEEDBACK_BUFFER_SIZE, kInteger, fixed<0>},
     {GL_FEEDBACK_BUFFER_TYPE, kInteger, fixed<GL_2D>},
 };
@@ -48,8 +43,8 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture,
-                                                       kEvaluatorsAndFeedback, kAbsentBuffers};
+  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture, kFeedback,
+                                                       kAbsentBuffers};
   return kGroups;
 }
 

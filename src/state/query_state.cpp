@@ -299,6 +299,24 @@ constexpr Query kFogAndClipping[] = {
     {GL_MAX_CLIP_PLANES, kInteger, [](Context&, QueryValues& v) { v.put(kMaxClipPlanes); }},
 };
 
+constexpr Query kEvaluators[] = {
+    {GL_MAX_EVAL_ORDER, kInteger, [](Context&, QueryValues& v) { v.put(kMaxEvalOrder); }},
+    {GL_MAP1_GRID_SEGMENTS, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.evaluators.modes.segments[0]); }},
+    {GL_MAP2_GRID_SEGMENTS, kInteger,
+     [](Context& c, QueryValues& v) {
+       for (unsigned i = 1; i < 3; ++i) v.put(c.evaluators.modes.segments[i]);
+     }},
+    {GL_MAP1_GRID_DOMAIN, kFloat,
+     [](Context& c, QueryValues& v) {
+       for (unsigned i = 0; i < 2; ++i) v.put(static_cast<double>(c.evaluators.modes.grid[i]));
+     }},
+    {GL_MAP2_GRID_DOMAIN, kFloat,
+     [](Context& c, QueryValues& v) {
+       for (unsigned i = 2; i < 6; ++i) v.put(static_cast<double>(c.evaluators.modes.grid[i]));
+     }},
+};
+
 constexpr Query kSelection[] = {
     {GL_RENDER_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.selection.render_mode); }},
     {GL_NAME_STACK_DEPTH, kInteger,
@@ -336,7 +354,7 @@ QueryGroups state_queries() {
   static constexpr std::span<const Query> kGroups[] = {
       kCurrentValues,   kRasterPosition, kTransform,  kLighting,      kRasterization,
       kStencilAndDepth, kColorBuffer,    kPixelStore, kListsAndHints, kFogAndClipping,
-      kAttributeStacks, kPixelTransfer,  kSelection};
+      kAttributeStacks, kPixelTransfer,  kSelection,  kEvaluators};
   return kGroups;
 }
 

@@ -62,8 +62,7 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_TEXTURE_GEN_R,
                                     GL_TEXTURE_GEN_Q};
 
-constexpr GLenum kUnbuilt[] = {GL_AUTO_NORMAL,   GL_LINE_STIPPLE,    GL_MAP1_COLOR_4,
-                               GL_MAP2_VERTEX_4, GL_POLYGON_STIPPLE, GL_POINT_SMOOTH};
+constexpr GLenum kUnbuilt[] = {GL_LINE_STIPPLE, GL_POLYGON_STIPPLE, GL_POINT_SMOOTH};
 
 class Enable : public testing::TestWithParam<Dialect> {
  protected:

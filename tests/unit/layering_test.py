@@ -10,16 +10,17 @@ SRC = pathlib.Path(__file__).resolve().parents[2] / "src"
 
 # What the files of a room may include of other rooms.
 MAY_INCLUDE = {
-    "api": {"backend", "dlist", "immediate", "lighting", "matrix", "state", "texture", "validate"},
+    "api": {"backend", "dlist", "evaluator", "immediate", "lighting", "matrix", "state", "texture", "validate"},
     "validate": {"state"},
     # The structs of these rooms are the parts of the context (state/context.hpp), and the functions
     # that change them take the context. Among them no header may include itself in the end.
     "dlist": {"immediate", "state"},
+    "evaluator": {"immediate", "state"},
     "immediate": {"dlist", "lighting", "state"},
     "lighting": {"matrix", "state"},
     "matrix": {"state"},
     "texture": {"state"},
-    "state": {"dlist", "immediate", "lighting", "matrix", "texture"},
+    "state": {"dlist", "evaluator", "immediate", "lighting", "matrix", "texture"},
     "backend": {"immediate", "lighting", "matrix", "shadergen", "state", "texture"},
     "shadergen": set(),
     "platform": set(),
