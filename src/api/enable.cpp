@@ -4,6 +4,7 @@
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
 #include "state/capabilities.hpp"
+#include "state/framebuffer.hpp"
 
 using namespace legacy_gl;
 
@@ -51,9 +52,9 @@ void clear(Context& c, GLbitfield mask) {
   constexpr GLbitfield kKnown =
       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
   if (mask & ~kKnown) return raise_error(c, GL_INVALID_VALUE);
-  if (mask & GL_ACCUM_BUFFER_BIT) diagnose(c, "glClear: the accumulation buffer is not built yet");
   flush_pending(c);
   if (c.selection.is_selecting()) return;
+  if (mask & GL_ACCUM_BUFFER_BIT && has_accumulation_buffer(c)) c.backend->clear_accumulation(c);
   c.backend->apply_raster(c);
   c.backend->driver.Clear(mask & ~GLbitfield{GL_ACCUM_BUFFER_BIT});
 }

@@ -22,14 +22,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPassThrough(GLfloat) {
   report_unbuilt("glPassThrough");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglClearAccum(GLfloat, GLfloat, GLfloat, GLfloat) {
-  report_unbuilt("glClearAccum");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglAccum(GLenum, GLfloat) {
-  report_unbuilt("glAccum");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPolygonStipple(GLubyte *) {
   report_unbuilt("glGetPolygonStipple");
 }

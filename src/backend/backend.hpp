@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "backend/accumulation.hpp"
 #include "backend/bitmaps.hpp"
 #include "backend/buffer_arrays.hpp"
 #include "backend/buffer_objects.hpp"
@@ -78,14 +79,21 @@ class Backend {
   /// Lines are made wide here, because the driver draws thin ones alone.
   bool widens_lines(const Context& context) const;
 
+  void clear_accumulation(const Context& context);
+  /// glAccum. Nothing waits.
+  void accumulate(Context& context, GLenum operation, float value);
+
   const Driver driver;
 
  private:
+  void return_accumulation(Context& context, const PixelRectangle& area, float factor);
+  void load_tile(const PixelImage& image, const PixelTile& tile, const glm::vec4& place);
   void draw_tile(Context& context, const PixelImage& image, const PixelTile& tile);
   void draw_stencil(Context& context, const PixelRectangle& covered);
-  /// `coordinates`: of the raster position, for textures.
+  /// `coordinates`: of the raster position, for textures; nullptr: pixels go to the framebuffer
+  /// past texturing, fog and their like, as stencil indices do.
   void draw_pixel_quads(Context& context, PixelSource source, const std::vector<float>& vertices,
-                        const RasterState& raster, const RasterTextureCoordinates& coordinates);
+                        const RasterState& raster, const RasterTextureCoordinates* coordinates);
   void prepare(Context& context, const VertexLayout& layout);
   /// Brings the driver up to what is derived.
   void apply_derived(Context& context);
@@ -134,6 +142,7 @@ class Backend {
   /// Of the bitmaps that wait; it matters where they are textured.
   RasterTextureCoordinates bitmap_texture_coordinates_ = kInitialTextureCoordinates;
   PixelTexture pixel_texture_;
+  AccumulationBuffer accumulation_;
   Derived derived_;
   std::size_t uniform_alignment_ = 256;
   bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours

@@ -2,6 +2,7 @@
 // others (GL 2.1 spec 3.6.4, 3.7).
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "backend/backend.hpp"
 #include "shadergen/attributes.hpp"
@@ -40,13 +41,11 @@ TextureKey pixel_textures(const TextureKey& textures, const RasterTextureCoordin
   return key;
 }
 
-/// What of the state's key still matters. The distance is the raster position's. Stencil indices go
-/// to their buffer as they are (GL 2.1 spec 3.6.4).
+/// What of the state's key still matters. The distance is the raster position's.
 ProgramKey pixel_key(const Context& context, const ProgramKey& state, PixelSource source,
                      const RasterTextureCoordinates& coordinates) {
   ProgramKey key;
   key.pixels = source;
-  if (source == PixelSource::kStencil) return key;
   const FragmentKey& fragments = state.fragments;
   key.textures = pixel_textures(state.textures, coordinates);
   key.fragments = fragments;
@@ -62,17 +61,19 @@ ProgramKey pixel_key(const Context& context, const ProgramKey& state, PixelSourc
 
 void Backend::draw_pixel_quads(Context& context, PixelSource source,
                                const std::vector<float>& vertices, const RasterState& raster,
-                               const RasterTextureCoordinates& coordinates) {
+                               const RasterTextureCoordinates* coordinates) {
   const VertexLayout layout = pixel_layout();
   const std::size_t stride = offsets_of(layout).stride * sizeof(float);
   derived_.update(context, Recorder::relevant_layout(context), driver.dialect);
   upload_uniforms(context);
   const auto count = static_cast<GLsizei>(vertices.size() * sizeof(float) / stride);
-  const ProgramKey key = pixel_key(context, derived_.key, source, coordinates);
+  ProgramKey key;
+  key.pixels = source;
+  if (coordinates) key = pixel_key(context, derived_.key, source, *coordinates);
   if (!use_program(context, key, static_cast<std::uint64_t>(count))) return;
   if (key.textures.count) textures_.bind(active_textures(context));
   for (unsigned unit = 0; unit < key.textures.count; ++unit)
-    driver.VertexAttrib4fv(texcoord_location(unit), &coordinates[unit][0]);
+    driver.VertexAttrib4fv(texcoord_location(unit), &(*coordinates)[unit][0]);
   raster_.apply(driver, raster, 0);
   context.dirty |= kDirtyRaster;  // the viewport of other primitives returns with the next draw
   const std::size_t offset =
@@ -88,7 +89,7 @@ void Backend::draw_bitmaps(Context& context) {
   textures_.select_unit(kPixelTextureUnit);
   bitmaps_.bind();
   draw_pixel_quads(context, PixelSource::kBitmap, bitmaps_.vertices(), pixel_raster(context.raster),
-                   bitmap_texture_coordinates_);
+                   &bitmap_texture_coordinates_);
   bitmaps_.clear();
 }
 
@@ -138,6 +139,36 @@ RasterState stencil_raster(const RasterState& raster, GLuint bits, bool set) {
 
 }  // namespace
 
+/// GL 2.1 spec 4.2.4: only the scissor, the colour mask and dithering concern what returns.
+void Backend::return_accumulation(Context& context, const PixelRectangle& area, float factor) {
+  const std::vector<float> colors = accumulation_.scaled(area, factor);
+  RasterState raster = pixel_raster(context.raster);
+  raster.depth.test_enabled = raster.stencil.test_enabled = false;
+  raster.color_buffer.blend_enabled = raster.color_buffer.logic_op_enabled = false;
+  raster.multisample.alpha_to_coverage = raster.multisample.coverage = false;
+  constexpr GLsizei kSide = PixelTexture::kMaxSide;
+  PixelImage image{PixelSource::kColors, area.width, area.height, {}};
+  image.texels.type = Texels::Type::kFloats;
+  image.texels.data.resize(colors.size() * sizeof(float));
+  std::memcpy(image.texels.data.data(), colors.data(), image.texels.data.size());
+  for (GLsizei y = 0; y < area.height; y += kSide)
+    for (GLsizei x = 0; x < area.width; x += kSide) {
+      const PixelRectangle part{area.x + x, area.y + y, std::min(kSide, area.width - x),
+                                std::min(kSide, area.height - y)};
+      load_tile(image, {x, y, part.width, part.height},
+                {static_cast<float>(part.x), static_cast<float>(part.y), 1, 1});
+      draw_pixel_quads(context, image.source, pixel_quad(part, 0, RasterPosition{}), raster,
+                       nullptr);
+    }
+}
+
+void Backend::load_tile(const PixelImage& image, const PixelTile& tile, const glm::vec4& place) {
+  textures_.select_unit(kPixelTextureUnit);
+  driver.BindSampler(kPixelTextureUnit, 0);
+  pixel_texture_.load(image, tile);
+  driver.VertexAttrib4fv(kLocationPixelPlace, &place[0]);
+}
+
 /// No shader of OpenGL 3.3 writes stencil values: all bits are cleared, and then one is set after
 /// the other where the indices have it.
 void Backend::draw_stencil(Context& context, const PixelRectangle& covered) {
@@ -145,7 +176,7 @@ void Backend::draw_stencil(Context& context, const PixelRectangle& covered) {
   const auto draw = [&](GLuint value, GLuint bits) {
     draw_pixel_quads(context, PixelSource::kStencil,
                      pixel_quad(covered, static_cast<float>(value), raster),
-                     stencil_raster(context.raster, bits, value != 0), raster.texture_coordinates);
+                     stencil_raster(context.raster, bits, value != 0), nullptr);
   };
   draw(0, 0xff);
   for (unsigned bit = 0; bit < 8; ++bit)
@@ -162,15 +193,11 @@ void Backend::draw_tile(Context& context, const PixelImage& image, const PixelTi
   const Covered y =
       covered_pixels(bottom, bottom + transfer.zoom_y * static_cast<float>(tile.height));
   if (x.first >= x.end || y.first >= y.end) return;
-  textures_.select_unit(kPixelTextureUnit);
-  driver.BindSampler(kPixelTextureUnit, 0);
-  pixel_texture_.load(image, tile);
-  const glm::vec4 place(left, bottom, transfer.zoom_x, transfer.zoom_y);
-  driver.VertexAttrib4fv(kLocationPixelPlace, &place[0]);
+  load_tile(image, tile, {left, bottom, transfer.zoom_x, transfer.zoom_y});
   const PixelRectangle covered{x.first, y.first, x.end - x.first, y.end - y.first};
   if (image.source == PixelSource::kStencil) return draw_stencil(context, covered);
   draw_pixel_quads(context, image.source, pixel_quad(covered, 0, raster),
-                   pixel_raster(context.raster), raster.texture_coordinates);
+                   pixel_raster(context.raster), &raster.texture_coordinates);
 }
 
 void Backend::draw_pixels(Context& context, const PixelImage& image) {

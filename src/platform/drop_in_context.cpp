@@ -16,7 +16,8 @@ struct DropInContext {
   legacy_gl_context* ours = nullptr;  ///< made when the driver's is current for the first time
   bool refused = false;               ///< ours could not be made
   std::atomic<bool> current = false;  ///< in some thread
-  bool forgotten = false;             ///< the program destroyed it
+  bool accumulation_buffer = false;
+  bool forgotten = false;  ///< the program destroyed it
 };
 using Shared = std::shared_ptr<DropInContext>;
 
@@ -46,6 +47,7 @@ void make_ours(DropInContext& context, legacy_gl_loader loader) {
   const std::lock_guard lock(mutex);
   legacy_gl_options options{};
   options.share = shares_with(context);
+  options.accumulation_buffer = context.accumulation_buffer;
   legacy_gl_status status = LEGACY_GL_OK;
   context.ours = legacy_gl_create_context(loader, &options, &status);
   if (context.ours) return;
@@ -77,9 +79,10 @@ void enter(const Shared& next, legacy_gl_loader loader) {
 
 }  // namespace
 
-void adopt(DriverContext made, DriverContext share) {
+void adopt(DriverContext made, DriverContext share, bool accumulation_buffer) {
   const Shared other = share ? find(share) : nullptr;
   const auto context = std::make_shared<DropInContext>();
+  context->accumulation_buffer = accumulation_buffer;
   context->group =
       other ? other->group : std::make_shared<std::vector<std::weak_ptr<DropInContext>>>();
   const std::lock_guard lock(mutex);

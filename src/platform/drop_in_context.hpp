@@ -11,8 +11,9 @@ namespace legacy_gl::platform {
 using DriverContext = void*;
 
 /// The program asked for a legacy context, and `made` is the driver's core context in its place.
-/// `share`: what the program shares with, or nullptr.
-void adopt(DriverContext made, DriverContext share);
+/// `share`: what the program shares with, or nullptr. `accumulation_buffer`: its configuration has
+/// one.
+void adopt(DriverContext made, DriverContext share, bool accumulation_buffer = false);
 
 /// Makes `next` current by `make_current`, the driver's own call, and ours on top of it when it has
 /// one. False, with nothing changed, when the driver refuses.

@@ -67,6 +67,12 @@ struct Attributes {
   }
 };
 
+bool has_accumulation_buffer(Display* display, GLXFBConfig config) {
+  int bits = 0;
+  DRIVER(glXGetFBConfigAttrib)(display, config, GLX_ACCUM_RED_SIZE, &bits);
+  return bits > 0;
+}
+
 GLXContext create_core(Display* display, GLXFBConfig config, GLXContext share, Bool direct,
                        std::vector<int> attributes = {}) {
   const auto create =
@@ -80,7 +86,7 @@ GLXContext create_core(Display* display, GLXFBConfig config, GLXContext share, B
     const ErrorTrap trap(display);
     context = create(display, config, share, direct, attributes.data());
   }
-  if (context) adopt(context, share);
+  if (context) adopt(context, share, has_accumulation_buffer(display, config));
   else std::fprintf(stderr, "legacy_gl: the driver gives no OpenGL 3.3 core context\n");
   return context;
 }

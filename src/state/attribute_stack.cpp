@@ -101,6 +101,7 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
                      context.transform.rescale_normal_enabled, context.transform.clip};
   level.raster = context.raster;
   level.fog = context.fog;
+  level.accumulation = context.accumulation;
   level.hints = context.hints;
   level.list_base = context.lists.base;
   if (mask & GL_TEXTURE_BIT) save_textures(context, level.texture);
@@ -131,6 +132,7 @@ void restore_attributes(Context& context, const SavedAttributes& level) {
     assign(context, context.fog, level.fog, kDirtyKey | kDirtyFragments);
   }
   if (mask & GL_EVAL_BIT) context.evaluators.modes = level.evaluators;
+  if (mask & GL_ACCUM_BUFFER_BIT) context.accumulation = level.accumulation;
   if (mask & GL_HINT_BIT) context.hints = level.hints;
   if (mask & GL_LIST_BIT) context.lists.base = level.list_base;
   if (mask & GL_TEXTURE_BIT) restore_textures(context, level.texture);

@@ -5,6 +5,7 @@
 #include "evaluator/evaluator.hpp"
 #include "immediate/client_arrays.hpp"
 #include "lighting/lighting_state.hpp"
+#include "state/accumulation.hpp"
 #include "state/clip_planes.hpp"
 #include "state/current.hpp"
 #include "state/fog.hpp"
@@ -41,6 +42,7 @@ struct SavedAttributes {
   TransformGroup transform;
   RasterState raster;
   FogState fog;
+  AccumulationState accumulation;
   HintState hints;
   GLuint list_base = 0;
   TextureGroup texture;

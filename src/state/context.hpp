@@ -13,6 +13,7 @@
 #include "immediate/recorder.hpp"
 #include "lighting/lighting_state.hpp"
 #include "matrix/matrix_stack.hpp"
+#include "state/accumulation.hpp"
 #include "state/attribute_stack.hpp"
 #include "state/clip_planes.hpp"
 #include "state/current.hpp"
@@ -57,6 +58,7 @@ struct legacy_gl_context {
   legacy_gl::TransformState transform;
   legacy_gl::RasterState raster;
   legacy_gl::FogState fog;
+  legacy_gl::AccumulationState accumulation;
   legacy_gl::TextureState texture;
   legacy_gl::HintState hints;
   legacy_gl::SelectionState selection;

@@ -14,6 +14,11 @@ bool draws_to_framebuffer_object(const Context& context);
 bool is_double_buffered(const Context& context);
 bool is_stereo(const Context& context);
 
+/// The application asked for an accumulation buffer.
+inline bool has_accumulation_buffer(const Context& context) {
+  return context.options.accumulation_buffer != 0;
+}
+
 /// What glDrawBuffer and glReadBuffer start as (GL 2.1 spec 4.2.1).
 GLenum initial_color_buffer(const Context& context);
 

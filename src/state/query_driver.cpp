@@ -59,7 +59,17 @@ constexpr Query kLimits[] = {
     {GL_ALIASED_LINE_WIDTH_RANGE, kFloat, driver_floats<GL_ALIASED_LINE_WIDTH_RANGE, 2>},
 };
 
+void accumulation_bits(Context& c, QueryValues& v) {
+  v.put(has_accumulation_buffer(c) ? kAccumulationBits : 0);
+}
+
 constexpr Query kFramebuffer[] = {
+    {GL_ACCUM_RED_BITS, kInteger, accumulation_bits},
+    {GL_ACCUM_GREEN_BITS, kInteger, accumulation_bits},
+    {GL_ACCUM_BLUE_BITS, kInteger, accumulation_bits},
+    {GL_ACCUM_ALPHA_BITS, kInteger, accumulation_bits},
+    {GL_ACCUM_CLEAR_VALUE, kNormalised,
+     [](Context& c, QueryValues& v) { v.put(c.accumulation.clear_value); }},
     {GL_RED_BITS, kInteger, bits<FramebufferChannel::kRed>},
     {GL_GREEN_BITS, kInteger, bits<FramebufferChannel::kGreen>},
     {GL_BLUE_BITS, kInteger, bits<FramebufferChannel::kBlue>},

@@ -19,7 +19,6 @@ constexpr Query kStipplesAndPoints[] = {
     {GL_POINT_SIZE_MIN, kFloat, fixed<0>},
     {GL_POINT_FADE_THRESHOLD_SIZE, kFloat, fixed<1>},
     {GL_POINT_DISTANCE_ATTENUATION, kFloat, fixed<1, 0, 0>},
-    {GL_ACCUM_CLEAR_VALUE, kNormalised, fixed<0, 0, 0, 0>},
 };
 
 constexpr Query kTexture[] = {
@@ -32,12 +31,12 @@ constexpr Query kFeedback[] = {
     {GL_FEEDBACK_BUFFER_TYPE, kInteger, fixed<GL_2D>},
 };
 
-/// What no driver under this library has: colour index mode, auxiliary and accumulation buffers.
+/// What no driver under this library has: colour index mode and auxiliary buffers.
 constexpr Query kAbsentBuffers[] = {
-    {GL_RGBA_MODE, kBoolean, fixed<1>},       {GL_INDEX_MODE, kBoolean, fixed<0>},
-    {GL_INDEX_BITS, kInteger, fixed<0>},      {GL_AUX_BUFFERS, kInteger, fixed<0>},
-    {GL_ACCUM_RED_BITS, kInteger, fixed<0>},  {GL_ACCUM_GREEN_BITS, kInteger, fixed<0>},
-    {GL_ACCUM_BLUE_BITS, kInteger, fixed<0>}, {GL_ACCUM_ALPHA_BITS, kInteger, fixed<0>},
+    {GL_RGBA_MODE, kBoolean, fixed<1>},
+    {GL_INDEX_MODE, kBoolean, fixed<0>},
+    {GL_INDEX_BITS, kInteger, fixed<0>},
+    {GL_AUX_BUFFERS, kInteger, fixed<0>},
 };
 
 }  // namespace

@@ -84,6 +84,7 @@ class MesaContext final : public RenderContext {
 inline legacy_gl_options test_options(legacy_gl_options options) {
   if (options.programs == LEGACY_GL_PROGRAMS_DEFAULT)
     options.programs = LEGACY_GL_PROGRAMS_SPECIALISED;
+  options.accumulation_buffer = 1;  // as Mesa's contexts here
   return options;
 }
 

@@ -15,6 +15,8 @@ OsmesaContext::OsmesaContext(int width, int height, PixelFormat color_format, Pr
                                           24,
                                           OSMESA_STENCIL_BITS,
                                           8,
+                                          OSMESA_ACCUM_BITS,
+                                          core ? 0 : 16,
                                           OSMESA_PROFILE,
                                           core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
                                           core ? OSMESA_CONTEXT_MAJOR_VERSION : 0,
