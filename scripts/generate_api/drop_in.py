@@ -14,6 +14,12 @@ from tables import GENERATED
 UNDECLARED = re.compile(r"struct _cl|GLXHyperpipe|GLXVideo|DMparams|VLServer|VLPath|VLNode|DMbuffer|GLXPbufferClobber|_cl_")
 
 # Written by hand in src/platform/glx*.cpp.
+# Written by hand in src/platform/exported_framebuffer_objects.cpp.
+GL_BY_HAND = {
+    "glFramebufferTexture1D", "glFramebufferTexture2D", "glFramebufferTexture3D", "glFramebufferTextureLayer",
+    "glGenerateMipmap",
+}
+
 GLX_BY_HAND = {
     "glXCreateContext", "glXCreateNewContext", "glXCreateContextAttribsARB", "glXCreateContextWithConfigSGIX",
     "glXDestroyContext", "glXMakeCurrent", "glXMakeContextCurrent", "glXMakeCurrentReadSGI", "glXSwapBuffers",
@@ -71,7 +77,7 @@ def gl(path, api):
             target = aliases[target]
         if target[2:] in api.commands:
             ours += _function("LEGACY_GL_OURS", command, "l" + target)
-        elif _declared(command):
+        elif name not in GL_BY_HAND and _declared(command):
             others += _function("LEGACY_GL_PASSED", command)
     return ours, others
 

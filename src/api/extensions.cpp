@@ -32,6 +32,10 @@ std::unordered_set<std::string> names_of(const Driver& driver) {
 
 }  // namespace
 
+bool driver_has_extension(const Driver& driver, const std::string& name) {
+  return names_of(driver).contains(name);
+}
+
 std::string extension_names(const Driver& driver) {
   const std::unordered_set<std::string> of_driver = names_of(driver);
   std::string names;

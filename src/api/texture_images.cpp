@@ -1,4 +1,5 @@
 // GL 2.1 spec 3.8.1, 3.8.2: glTexImage, glTexSubImage.
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -24,9 +25,31 @@ struct ImageCall {
   GLenum format, type;
 };
 
+bool is_depth_stencil(const ImageCall& call) { return call.format == kDepthStencil; }
+
+bool has_depth(const ImageCall& call) {
+  return call.format == GL_DEPTH_COMPONENT || is_depth_stencil(call);
+}
+
 GLenum transfer_error(const ImageCall& call) {
+  if (is_depth_stencil(call))
+    return call.type == kUnsignedInt24_8 ? GL_NO_ERROR : GL_INVALID_OPERATION;
   if (call.format == GL_STENCIL_INDEX) return GL_INVALID_ENUM;
   return pixel_format_error(call.format, call.type);
+}
+
+/// Words of depth and stencil go to the driver as they are.
+Texels image_texels(const Context& c, const ImageCall& call, const PixelStore& store,
+                    const void* pixels, const ImageSize& size, BaseFormat base) {
+  if (!is_depth_stencil(call))
+    return unpack_texels(store, pixels, size, call.format, call.type, base,
+                         c.backend->textures().takes_bytes_only(), c.pixels);
+  RecordedPixels words = record_pixels(store, pixels, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+  if (store.swap_bytes)
+    for (std::size_t i = 0; i < words.bytes.size(); i += 4)
+      std::reverse(words.bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                   words.bytes.begin() + static_cast<std::ptrdiff_t>(i + 4));
+  return {1, Texels::Type::kDepths, std::move(words.bytes)};
 }
 
 void define(Context& c, const ImageCall& call, const PixelStore& store, const void* pixels) {
@@ -36,15 +59,14 @@ void define(Context& c, const ImageCall& call, const PixelStore& store, const vo
   if (const GLenum error = new_image_error(c, image)) return raise_error(c, error);
   if (const GLenum error = transfer_error(call)) return raise_error(c, error);
   const TextureFormat format = find_texture_format(call.internal_format);
-  if ((format.base == BaseFormat::kDepth) != (call.format == GL_DEPTH_COMPONENT))
+  if ((format.base == BaseFormat::kDepth) != has_depth(call))
     return raise_error(c, GL_INVALID_OPERATION);
   if (target->proxy) return define_proxy(c, image);
   if (!image_fits(c, image)) return raise_error(c, GL_INVALID_VALUE);
   const PixelStore inner = inside_border(store, image);
   const ImageSize size = size_without_border(image);
   if (!pixels || !size.texels()) return define_image(c, image, nullptr);
-  const Texels texels = unpack_texels(inner, pixels, size, call.format, call.type, format.base,
-                                      c.backend->textures().takes_bytes_only(), c.pixels);
+  const Texels texels = image_texels(c, call, inner, pixels, size, format.base);
   define_image(c, image, &texels);
 }
 
@@ -56,14 +78,11 @@ void replace(Context& c, const ImageCall& call, const PixelStore& store, const v
   const ImagePlace place{bound_texture(c, target->target), target->face, call.level};
   if (const GLenum error = part_error(place, call.offset, call.size)) return raise_error(c, error);
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
-  if ((base == BaseFormat::kDepth) != (call.format == GL_DEPTH_COMPONENT))
-    return raise_error(c, GL_INVALID_OPERATION);
+  if ((base == BaseFormat::kDepth) != has_depth(call)) return raise_error(c, GL_INVALID_OPERATION);
   if (!pixels || !call.size.texels()) return;
   texture_changes(c);
-  c.backend->textures().replace(
-      place, call.offset, call.size,
-      unpack_texels(store, pixels, call.size, call.format, call.type, base,
-                    c.backend->textures().takes_bytes_only(), c.pixels));
+  c.backend->textures().replace(place, call.offset, call.size,
+                                image_texels(c, call, store, pixels, call.size, base));
   image_changed(c, place);
 }
 
@@ -82,7 +101,7 @@ void execute(Context& c, const ImageCall& call, const PixelStore& store, const v
 /// In a list; nullptr: without pixels.
 void play_image(Context& c, ImageCall call, const RecordedPixels* recorded) {
   if (!recorded) return execute(c, call, PixelStore{}, nullptr);
-  call.type = recorded->type;
+  if (!is_depth_stencil(call)) call.type = recorded->type;
   execute(c, call, recorded->store, recorded->bytes.data());
 }
 
@@ -95,7 +114,9 @@ void record_image(Context& c, const ImageCall& call, const void* pixels) {
     PixelStore store = c.unpack;
     if (call.dimensions < 3) store.skip_images = store.image_height = 0;
     const auto kept = std::make_shared<const RecordedPixels>(
-        record_pixels(store, pixels, size, call.format, call.type));
+        is_depth_stencil(call)
+            ? record_pixels(store, pixels, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT)
+            : record_pixels(store, pixels, size, call.format, call.type));
     c.lists.keep(kept);
     recorded = kept.get();
   }

@@ -21,8 +21,9 @@ template <typename Row>
 void AccumulationBuffer::for_each_row(const PixelRectangle& area, Row row) {
   grow(area);
   for (GLsizei y = 0; y < area.height; ++y) {
-    const std::size_t first = static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(width_) +
-                              static_cast<std::size_t>(area.x);
+    const std::size_t first =
+        static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(width_) +
+        static_cast<std::size_t>(area.x);
     row(static_cast<std::size_t>(y), values_.data() + 4 * first,
         static_cast<std::size_t>(area.width) * 4);
   }

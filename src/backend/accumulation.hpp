@@ -6,8 +6,8 @@
 
 namespace legacy_gl {
 
-/// The accumulation buffer (GL 2.1 spec 4.2.4): floats of our own, since drivers have none. It grows
-/// to what it is asked for.
+/// The accumulation buffer (GL 2.1 spec 4.2.4): floats of our own, since drivers have none. It
+/// grows to what it is asked for.
 class AccumulationBuffer {
  public:
   void clear(const PixelRectangle& area, const glm::vec4& value);

@@ -54,6 +54,17 @@ bool driver_copies(const Driver& driver, BaseFormat base) {
   }
 }
 
+/// GL_DEPTH_COMPONENT has the depth in all bits of the word, GL_DEPTH_STENCIL in the upper 24.
+bool has_stencil(const TextureFormat& format) { return format.core == GL_DEPTH24_STENCIL8; }
+
+struct Transfer {
+  GLenum format, type;
+};
+Transfer transfer_of(const TextureFormat& format, Texels::Type type) {
+  if (has_stencil(format)) return {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
+  return {transfer_format(format.base), transfer_type(type)};
+}
+
 /// Depths as the red of colours.
 std::vector<float> spread_depths(const std::vector<float>& depths) {
   std::vector<float> colors(depths.size() * 4);
@@ -85,12 +96,13 @@ bool Textures::define(const ImagePlace& place, const TextureImage& image, const 
   const void* const data = texels ? texels->data.data() : nullptr;
   while (driver_.GetError() != GL_NO_ERROR) {
   }
+  const Transfer transfer = transfer_of(image.format, type);
   if (place.texture.target == kTexture3D)
     driver_.TexImage3D(GL_TEXTURE_3D, place.level, storage, image.width, image.height, image.depth,
-                       0, transfer_format(image.format.base), transfer_type(type), data);
+                       0, transfer.format, transfer.type, data);
   else
     driver_.TexImage2D(image_target(place), place.level, storage, image.width, image.height, 0,
-                       transfer_format(image.format.base), transfer_type(type), data);
+                       transfer.format, transfer.type, data);
   if (driver_.GetError() == GL_NO_ERROR) return true;
   place.texture.images.at(place.face, place.level) = {};
   return false;
@@ -100,8 +112,8 @@ void Textures::replace(const ImagePlace& place, const ImageOffset& offset, const
                        const Texels& texels) {
   bind_to_change(place.texture);
   set_unpack_modes(driver_);
-  const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
-  const GLenum format = transfer_format(base), type = transfer_type(texels.type);
+  const auto [format, type] =
+      transfer_of(place.texture.images.at(place.face, place.level).format, texels.type);
   if (place.texture.target == kTexture3D)
     driver_.TexSubImage3D(GL_TEXTURE_3D, place.level, offset.x, offset.y, offset.z, size.width,
                           size.height, size.depth, format, type, texels.data.data());

@@ -107,6 +107,12 @@ void Textures::apply_parameters(TextureObject& texture) {
   driver_.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, &border[0]);
 }
 
+GLuint Textures::driver_name(TextureObject& texture) {
+  bind_to_change(texture);
+  if (texture.parameters_stale && texture.complete()) apply_parameters(texture);
+  return texture.driver_name;
+}
+
 GLint Textures::largest_size(TextureTarget target) const {
   GLint size = 0;
   const GLenum name = target == kTexture3D     ? GL_MAX_3D_TEXTURE_SIZE

@@ -53,6 +53,8 @@ class Textures {
   GLint channel_bits(const ImagePlace& place, unsigned channel);
   bool fits(TextureTarget target, GLint level, const ImageSize& size) const;
   GLint largest_size(TextureTarget target) const;
+  /// The driver's name of it, made if need be.
+  GLuint driver_name(TextureObject& texture);
   bool takes_bytes_only() const { return driver_.is_es(); }
   bool has_border_color() const { return has_border_color_; }
 

@@ -1,5 +1,7 @@
 #include "platform/drop_in_context.hpp"
 
+#include <legacy_gl/framebuffer_objects.h>
+
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -73,8 +75,11 @@ void enter(const Shared& next, legacy_gl_loader loader) {
   current = next;
   if (!next) return;
   next->current = true;
-  if (!next->ours && !next->refused) make_ours(*next, loader);
-  if (next->ours) legacy_gl_make_current(next->ours);
+  const bool is_new = !next->ours && !next->refused;
+  if (is_new) make_ours(*next, loader);
+  if (!next->ours) return;
+  legacy_gl_make_current(next->ours);
+  if (is_new) legacy_gl_offer_extensions("GL_ARB_framebuffer_object");
 }
 
 }  // namespace

@@ -6,23 +6,11 @@
 #include <legacy_gl/context.h>
 #include <legacy_gl/gl.h>
 
+#include "platform/beside_ours.hpp"
 #include "platform/export.hpp"
 
+using legacy_gl::platform::BesideOurs;
 using legacy_gl::platform::find_gl;
-
-namespace {
-
-/// Around a call of the driver's own: what was recorded is drawn before it, and nothing is believed
-/// to be bound after it (docs/coexistence.md).
-class BesideOurs {
- public:
-  BesideOurs() { legacy_gl_flush(); }
-  ~BesideOurs() { legacy_gl_reset_driver_state(); }
-  BesideOurs(const BesideOurs&) = delete;
-  BesideOurs& operator=(const BesideOurs&) = delete;
-};
-
-}  // namespace
 
 #define LEGACY_GL_OURS(result, name, parameters, arguments, ours) \
   LEGACY_GL_EXPORT result APIENTRY name parameters {              \

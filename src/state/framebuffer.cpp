@@ -44,9 +44,12 @@ bool has_front(const Context& context) {
   return !context.backend->driver.is_es() || draws_to_framebuffer_object(context);
 }
 
+/// A colour attachment of a framebuffer object.
+bool is_attachment(GLenum mode) { return mode - GL_COLOR_ATTACHMENT0 < 16; }
+
 /// What the driver calls the buffer.
 GLenum driver_buffer(const Context& context, GLenum mode) {
-  if (mode == GL_NONE) return GL_NONE;
+  if (mode == GL_NONE || is_attachment(mode)) return mode;
   if (draws_to_framebuffer_object(context)) return GL_COLOR_ATTACHMENT0;
   if (context.backend->driver.is_es()) return GL_BACK;
   return mode == GL_BACK && !is_double_buffered(context) ? GLenum{GL_FRONT} : mode;
@@ -92,6 +95,8 @@ GLenum initial_color_buffer(const Context& context) {
 }
 
 GLenum draw_buffer_error(const Context& context, GLenum mode) {
+  if (is_attachment(mode))
+    return draws_to_framebuffer_object(context) ? GL_NO_ERROR : GL_INVALID_OPERATION;
   switch (mode) {
     case GL_NONE:
     case GL_LEFT:

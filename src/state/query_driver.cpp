@@ -10,6 +10,10 @@ namespace {
 
 using enum ValueKind;
 
+constexpr GLenum kDrawFramebufferBinding = 0x8CA6, kReadFramebufferBinding = 0x8CAA,
+                 kRenderbufferBinding = 0x8CA7, kMaxRenderbufferSize = 0x84E8,
+                 kMaxColorAttachments = 0x8CDF, kMaxSamples = 0x8D57, kMaxDrawBuffers = 0x8824;
+
 template <GLenum Name, unsigned Count = 1>
 void driver_integers(Context& c, QueryValues& v) {
   std::array<GLint, Count> values{};
@@ -63,6 +67,17 @@ void accumulation_bits(Context& c, QueryValues& v) {
   v.put(has_accumulation_buffer(c) ? kAccumulationBits : 0);
 }
 
+/// Framebuffer objects are the driver's (legacy_gl/framebuffer_objects.h).
+constexpr Query kFramebufferObjects[] = {
+    {kDrawFramebufferBinding, kInteger, driver_integers<kDrawFramebufferBinding>},
+    {kReadFramebufferBinding, kInteger, driver_integers<kReadFramebufferBinding>},
+    {kRenderbufferBinding, kInteger, driver_integers<kRenderbufferBinding>},
+    {kMaxRenderbufferSize, kInteger, driver_integers<kMaxRenderbufferSize>},
+    {kMaxColorAttachments, kInteger, driver_integers<kMaxColorAttachments>},
+    {kMaxSamples, kInteger, driver_integers<kMaxSamples>},
+    {kMaxDrawBuffers, kInteger, driver_integers<kMaxDrawBuffers>},
+};
+
 constexpr Query kFramebuffer[] = {
     {GL_ACCUM_RED_BITS, kInteger, accumulation_bits},
     {GL_ACCUM_GREEN_BITS, kInteger, accumulation_bits},
@@ -85,7 +100,7 @@ constexpr Query kFramebuffer[] = {
 }  // namespace
 
 QueryGroups driver_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kLimits, kFramebuffer};
+  static constexpr std::span<const Query> kGroups[] = {kLimits, kFramebuffer, kFramebufferObjects};
   return kGroups;
 }
 

@@ -60,6 +60,8 @@ TextureFormat find_texture_format(GLint internal_format) {
     case GL_RGB10_A2: return {kRgba, GL_RGB10_A2, GL_RGBA8};
     case GL_RGBA12: return {kRgba, GL_RGBA12, GL_RGBA8};
     case GL_RGBA16: return {kRgba, GL_RGBA16, GL_RGBA8};
+    case kDepthStencil:
+    case kDepth24Stencil8: return {kDepth, kDepth24Stencil8, kDepth24Stencil8};
     case GL_DEPTH_COMPONENT16: return {kDepth, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT16};
     case GL_DEPTH_COMPONENT:
     case GL_DEPTH_COMPONENT24: return {kDepth, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT24};

@@ -26,6 +26,11 @@ struct TextureFormat {
   bool compressed = false;  ///< asks for compression, which we need not do (3.8.1)
 };
 
+/// EXT_packed_depth_stencil: a depth of 24 bits above a stencil index of 8, in one word. Textures
+/// of it are read as depths, and are attached to framebuffer objects.
+inline constexpr GLenum kDepthStencil = 0x84F9, kDepth24Stencil8 = 0x88F0,
+                        kUnsignedInt24_8 = 0x84FA;
+
 /// GL 2.1 spec tables 3.15, 3.16, 3.17. `core` is 0 for what is no internal format.
 TextureFormat find_texture_format(GLint internal_format);
 
