@@ -13,6 +13,9 @@ namespace legacy_gl::platform {
 
 namespace {
 
+struct DropInContext;
+using Shared = std::shared_ptr<DropInContext>;
+
 struct DropInContext {
   std::shared_ptr<std::vector<std::weak_ptr<DropInContext>>> group;  ///< that share lists
   legacy_gl_context* ours = nullptr;  ///< made when the driver's is current for the first time
@@ -20,8 +23,8 @@ struct DropInContext {
   std::atomic<bool> current = false;  ///< in some thread
   bool accumulation_buffer = false;
   bool forgotten = false;  ///< the program destroyed it
+  Shared self;  ///< while it is current
 };
-using Shared = std::shared_ptr<DropInContext>;
 
 std::mutex mutex;
 
@@ -31,7 +34,9 @@ std::unordered_map<DriverContext, Shared>& contexts() {
   return map;
 }
 
-thread_local Shared current;
+/// Without a destructor: programs destroy their contexts in exit handlers, which run after those of
+/// the thread's variables.
+thread_local constinit DropInContext* current = nullptr;
 
 Shared find(DriverContext context) {
   const std::lock_guard lock(mutex);
@@ -71,9 +76,13 @@ void leave_current() {
 }
 
 void enter(const Shared& next, legacy_gl_loader loader) {
-  if (current) current->current = false;
-  current = next;
+  if (current) {
+    current->current = false;
+    const Shared released = std::move(current->self);
+  }
+  current = next.get();
   if (!next) return;
+  next->self = next;
   next->current = true;
   const bool is_new = !next->ours && !next->refused;
   if (is_new) make_ours(*next, loader);
@@ -99,7 +108,7 @@ bool switch_to(DriverContext next, legacy_gl_loader loader,
                const std::function<bool()>& make_current) {
   const Shared found = next ? find(next) : nullptr;
   legacy_gl_flush();
-  if (found && found == current) return make_current();  // another surface at most
+  if (found && found.get() == current) return make_current();  // another surface at most
   if (found && found->current) return false;             // in another thread
   leave_current();
   if (!make_current()) {
