@@ -23,7 +23,7 @@ struct DropInContext {
   std::atomic<bool> current = false;  ///< in some thread
   bool accumulation_buffer = false;
   bool forgotten = false;  ///< the program destroyed it
-  Shared self;  ///< while it is current
+  Shared self;             ///< while it is current
 };
 
 std::mutex mutex;
@@ -109,7 +109,7 @@ bool switch_to(DriverContext next, legacy_gl_loader loader,
   const Shared found = next ? find(next) : nullptr;
   legacy_gl_flush();
   if (found && found.get() == current) return make_current();  // another surface at most
-  if (found && found->current) return false;             // in another thread
+  if (found && found->current) return false;                   // in another thread
   leave_current();
   if (!make_current()) {
     if (current && current->ours) legacy_gl_make_current(current->ours);
