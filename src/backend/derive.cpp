@@ -127,10 +127,7 @@ bool reads_position(const ProgramKey& key) {
 bool angles_matter(const ProgramKey& key) {
   if (key.quality == Quality::kFastest) return false;
   if (key.quality == Quality::kDefault && key.normal == NormalMode::kNormalize) return false;
-  for (const LightRun& run : key.lights)
-    if (run.count && run.kind & kLightSpecular && (run.kind & kLightPoint || key.local_viewer))
-      return true;
-  return false;
+  return computes_half_vectors(key);
 }
 
 /// Larger products of light and material are scaled, so that sums of them stay in float32's range.
@@ -605,9 +602,11 @@ void Derived::fill_lights(const Context& context) {
       uniforms_low.position = rest_of(glm::dvec4(direction, 0), uniforms.position);
       // A normal made unit length in object space meets a half vector that is so too.
       glm::dvec3 half_vector = covariant * unit(to_light + glm::dvec3(0, 0, 1));
-      if (key.normal == NormalMode::kNormalize) half_vector = unit(half_vector);
+      if (key.normal == NormalMode::kNormalize ||
+          (key.quality == Quality::kDefault && !splits_half_vectors(key)))
+        half_vector = unit(half_vector);
       uniforms.half_vector =
-          finite(key.quality == Quality::kFastest ? half_vector : coarse(half_vector), 0);
+          finite(splits_half_vectors(key) ? coarse(half_vector) : half_vector, 0);
       uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
     } else {
       const glm::dvec3 point = rotation * (position / light.position_eye.w - origin) / scale;

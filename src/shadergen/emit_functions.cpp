@@ -5,6 +5,9 @@ namespace legacy_gl {
 
 namespace {
 
+// Powers end at about 1e30: where a normal is longer than 1 they grow, and infinity times a colour
+// of 0 would be no number.
+
 /// (1 - q) to the power n by repeated squaring of the complement y = 1 - (1 - q)^k: squaring is y(2
 /// - y), one factor more is y + q(1 - y). No step forms a number near 1, so nothing is rounded away
 /// and amplified n times. The last squarings amplify little: there 1 - y itself is squared, at half
@@ -26,14 +29,14 @@ void emit_integer_shine(Writer& w, const std::string& name, unsigned exponent, u
       if (exponent & bit) w.line("y = y + q * (1.0 - y);");
     }
     if (last == 1) {
-      w.line("return max(1.0 - y, 0.0);");
+      w.line("return clamp(1.0 - y, 0.0, 1e30);");
     } else {
       w.line("float x = 1.0 - y;");
       for (; bit; bit >>= 1) {
         w.line("x *= x;");
         if (exponent & bit) w.line("x *= 1.0 - q;");
       }
-      w.line("return x;");
+      w.line("return min(x, 1e30);");
     }
   }
   w.close();
@@ -55,7 +58,7 @@ void emit_fast_integer_shine(Writer& w, const std::string& name, unsigned expone
       w.line("y *= y;");
       if (exponent & bit) w.line("y *= x;");
     }
-    w.line("return y;");
+    w.line("return min(y, 1e30);");
   }
   w.close();
   w.blank();
@@ -97,7 +100,7 @@ constexpr const char* kFastUnitOfAny = R"(vec3 unit_of_any(vec3 v) {
 
 constexpr const char* kPower = R"(// x^s; 0^0 is 1
 float power(float x, float s) {
-  return x > 0.0 ? exp2(s * log2(x)) : (s == 0.0 ? 1.0 : 0.0);
+  return x > 0.0 ? exp2(min(s * log2(x), 100.0)) : (s == 0.0 ? 1.0 : 0.0);
 }
 
 )";
@@ -120,7 +123,7 @@ float log2_of(float x, float q) {
 
 constexpr const char* kPowerOf = R"(// x^s, where q is 1 - x; 0^0 is 1
 float power_of(float x, float q, float s) {
-  float power = exp2(s * log2_of(x, q));
+  float power = exp2(min(s * log2_of(x, q), 100.0));
   return x > 0.0 ? power : (s == 0.0 ? 1.0 : 0.0);
 }
 
@@ -129,7 +132,7 @@ float power_of(float x, float q, float s) {
 constexpr const char* kPrecisePowerOf =
     R"(// x^s, where q is 1 - x; 0^0 is 1. Drivers' exp2 may have no more than 20 bits, this series has all.
 float power_of(float x, float q, float s) {
-  float t = clamp(s * log2_of(x, q), -126.0, 126.0);
+  float t = clamp(s * log2_of(x, q), -126.0, 100.0);
   float whole = floor(t + 0.5);
   float f = t - whole;
   float power = 1.0 + f * (0.693147181 + f * (0.240226507 + f * (0.0555041087 + f * (0.00961812911 +
@@ -184,7 +187,7 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
   const bool general_shininess =
       specular && (key.integer_shininess[0] == kGeneralShininess ||
                    (key.two_side && key.integer_shininess[1] == kGeneralShininess));
-  const bool half_vectors = specular && (key.local_viewer || any_light(key, kLightPoint));
+  const bool half_vectors = computes_half_vectors(key);
   const bool precise = key.quality == Quality::kPrecise;
   const bool fastest = key.quality == Quality::kFastest;
   const bool any_length =

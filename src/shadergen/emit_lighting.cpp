@@ -124,7 +124,7 @@ void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
   if (computed && key.quality == Quality::kPrecise) emit_precise_half_vector(w, key);
   else if (key.local_viewer) w.line("vec3 h = " + half_vector + "to_viewer);");
   else if (kind & kLightPoint) w.line("vec3 h = " + half_vector + "viewer.xyz);");
-  else if (key.quality == Quality::kFastest || key.normal == NormalMode::kNormalize)
+  else if (!splits_half_vectors(key) || key.normal == NormalMode::kNormalize)
     w.line("vec3 h = " + light + ".half_vector.xyz;");
   else {
     w.line("float n_dot_h = dot(n_coarse, " + light + ".half_vector.xyz);");
@@ -144,12 +144,13 @@ std::string complement(const ProgramKey& key, std::uint8_t kind, unsigned face,
   const std::string n = face ? "-n" : "n";
   if (key.quality == Quality::kFastest) return "dot(" + n + ", h)";
   const bool unit_normal = key.normal == NormalMode::kNormalize;
-  if (half_vector_is_uniform(key, kind) && !unit_normal)
+  const bool split = half_vector_is_uniform(key, kind) && splits_half_vectors(key);
+  if (split && !unit_normal)
     return face ? "min((1.0 + n_dot_h) + n_dot_h_rest, 1.0)"
                 : "min((1.0 - n_dot_h) - n_dot_h_rest, 1.0)";
   std::string e = n + " - h";
   if (normal_has_low(key)) e = "(" + e + (face ? ") - n_low" : ") + n_low");
-  if (half_vector_is_uniform(key, kind)) e = "(" + e + ") - " + light + ".attenuation.xyz";
+  if (split) e = "(" + e + ") - " + light + ".attenuation.xyz";
   if (unit_normal) return "complement_of_units(" + e + ")";
   return "complement(" + e + ", " + n + ", h, half_excess)";
 }
@@ -168,7 +169,8 @@ std::string shine(const ProgramKey& key, std::uint8_t kind, unsigned face,
   const char* function = "power_of_complement(";
   if (key.quality == Quality::kFastest) {
     function = "power(";
-  } else if (half_vector_is_uniform(key, kind) && key.normal != NormalMode::kNormalize) {
+  } else if (half_vector_is_uniform(key, kind) && splits_half_vectors(key) &&
+             key.normal != NormalMode::kNormalize) {
     function = "power_of(";
     arguments = std::string(face ? "-" : "") + "(n_dot_h + n_dot_h_rest), " + q;
   }
@@ -214,7 +216,7 @@ void emit_terms(Writer& w, const ProgramKey& key, std::uint8_t kind, unsigned fa
 /// From them also (|n|^2 - 1) / 2.
 void emit_normal_split(Writer& w, const ProgramKey& key) {
   const bool unit_normal = key.normal == NormalMode::kNormalize;
-  bool split = false, half_vectors = false;
+  bool split = false;
   for (const LightRun& run : key.lights) {
     if (!run.count) continue;
     const bool specular = run.kind & kLightSpecular;
@@ -222,14 +224,13 @@ void emit_normal_split(Writer& w, const ProgramKey& key) {
     if (key.quality == Quality::kPrecise && !(run.kind & kLightPoint) &&
         run.kind & (kLightDiffuse | kLightSpecular))
       split = true;
-    if (specular && !half_vector_is_uniform(key, run.kind)) half_vectors = true;
   }
   if (!split) return;
   // Through integers, which stay in range where the normal is huge.
   w.line("vec3 n_coarse = vec3(ivec3(n * 2048.0)) * (1.0 / 2048.0);");
   w.line(normal_has_low(key) ? "vec3 n_rest = (n - n_coarse) + n_low;"
                              : "vec3 n_rest = n - n_coarse;");
-  if (!half_vectors || unit_normal) return;
+  if (!computes_half_vectors(key) || unit_normal) return;
   w.line(
       "float half_excess = 0.5 * ((dot(n_coarse, n_coarse) - 1.0) + dot(n_rest, n_coarse + n));");
   if (key.angle_error) w.line("half_excess += 0.5 * dot(n, angle_error * n);");

@@ -1,5 +1,7 @@
 #include "shadergen/program_key.hpp"
 
+#include <algorithm>
+
 namespace legacy_gl {
 
 namespace {
@@ -76,6 +78,17 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
                 static_cast<std::size_t>(key.fragments.fog_coordinate));
   if (key.textures.count) mix(hash, hash_of(key.textures));
   return hash;
+}
+
+bool computes_half_vectors(const ProgramKey& key) {
+  return std::any_of(key.lights.begin(), key.lights.end(), [&key](const LightRun& run) {
+    return run.count && run.kind & kLightSpecular && (run.kind & kLightPoint || key.local_viewer);
+  });
+}
+
+bool splits_half_vectors(const ProgramKey& key) {
+  if (key.quality != Quality::kDefault) return key.quality == Quality::kPrecise;
+  return key.normal == NormalMode::kNormalize || !computes_half_vectors(key);
 }
 
 std::string describe(const ProgramKey& key) {

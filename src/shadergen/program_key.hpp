@@ -118,6 +118,13 @@ struct ProgramKey {
   }
 };
 
+/// Half vectors depend on the vertex: a specular light is a point, or the viewer is local.
+bool computes_half_vectors(const ProgramKey& key);
+
+/// A directional light's half vector meets the normal in two parts, whose products are exact. Else,
+/// as a unit vector, it meets unit normals, or normals whose lengths are taken into account.
+bool splits_half_vectors(const ProgramKey& key);
+
 /// The texture unit that pixel rectangles are read from, as the sampler pixel_texture.
 inline constexpr unsigned kPixelTextureUnit = 15;
 

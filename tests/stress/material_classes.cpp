@@ -64,6 +64,20 @@ StressSample colors_by(Random& random, bool negative) {
 StressSample colors(Random& random) { return colors_by(random, false); }
 StressSample signed_colors(Random& random) { return colors_by(random, true); }
 
+// Normals longer than 1, whose powers leave float32's range, with a channel that does not reflect
+// and a cone that does not reach every vertex.
+StressSample long_normals(Random& random) {
+  StressSample sample = ordinary(random, {0, 0, 3, 1}, {0, 0, 0, 1});
+  sample.vertex.position_object = {random.uniform(-3, 3), random.uniform(-3, 3), 0, 1};
+  const float length = random.magnitude(0, 1);
+  for (float& c : sample.vertex.normal_object) c *= length;
+  sample.state.front.shininess = random.coin() ? 128.f : random.uniform(1, 128);
+  sample.state.front.specular[random.below(3)] = 0;
+  sample.state.lights[0].spot_cutoff_degrees = 40;
+  sample.state.lights[0].spot_exponent = float(random.below(3));
+  return sample;
+}
+
 StressSample tracked_colors(Random& random) {
   StressSample sample = ordinary(random, away(random, 3, 0), away(random, 1, 1));
   sample.vertex.color = huge(random, true);
@@ -80,6 +94,7 @@ std::span<const StressClass> material_classes() {
       {"spot exponent 0, 1e-30 to 128", spot_exponent},
       {"zero to the shininess", zero_to_the_power},
       {"zero to the spot exponent", zero_to_the_spot_exponent, 0.5, true},
+      {"normals 1 to 10, shininess to 128", long_normals},
       {"colours 1e-30 to 1e30", colors},
       {"colours to +-1e30", signed_colors},
       {"tracked colours to +-1e30", tracked_colors},
