@@ -181,6 +181,12 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
     enable_light(context, light, enabled);
     return true;
   }
+  // EXT_vertex_array's way, before there was glEnableClientState.
+  if (const unsigned array = array_index(capability, context.client_active_texture);
+      array != kArrayCount) {
+    context.arrays.arrays[array].enabled = enabled;
+    return true;
+  }
   switch (capability) {
     case GL_LIGHTING: enable_lighting(context, enabled); return true;
     case GL_COLOR_MATERIAL: enable_color_material(context, enabled); return true;

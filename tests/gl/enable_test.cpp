@@ -122,6 +122,29 @@ TEST_P(Enable, Errors) {
   EXPECT_EQ(gl.IsEnabled(GL_LIGHTING), GL_FALSE);
 }
 
+// EXT_vertex_array enabled arrays by glEnable, and programs of its time still do.
+TEST(EnableArrays, AreClientStateAsInMesa) {
+  MesaContext mesa(8, 8);
+  CoreContext ours(8, 8);
+  for (RenderContext* const context :
+       {static_cast<RenderContext*>(&mesa), static_cast<RenderContext*>(&ours)}) {
+    context->make_current();
+    const GlFunctions& gl = context->gl;
+    for (const GLenum array : std::initializer_list<GLenum>{
+             GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY,
+             GL_EDGE_FLAG_ARRAY, GL_FOG_COORD_ARRAY, GL_SECONDARY_COLOR_ARRAY}) {
+      gl.Enable(array);
+      EXPECT_TRUE(gl.IsEnabled(array)) << array;
+      gl.DisableClientState(array);
+      EXPECT_FALSE(gl.IsEnabled(array)) << array;
+      gl.EnableClientState(array);
+      gl.Disable(array);
+      EXPECT_FALSE(gl.IsEnabled(array)) << array;
+    }
+    EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+  }
+}
+
 TEST_P(Enable, UnbuiltCapabilitiesSayItOnce) {
   for (const GLenum capability : kUnbuilt) {
     SCOPED_TRACE(testing::Message() << std::hex << "0x" << capability);
