@@ -229,6 +229,7 @@ TEST_F(Selection, DrawsAndClearsNothing) {
     square(g, 0, 0);
     constexpr GLubyte bits[] = {0xff, 0xff, 0xff, 0xff};
     g.RasterPos2f(0, 0);
+    g.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     g.Bitmap(8, 4, 0, 0, 0, 0, bits);
   });
   EXPECT_TRUE(legacy_gl::test::compare(before, ours_.read()).identical());

@@ -222,6 +222,7 @@ void letters(const GlFunctions& gl) {
   clear_frame(gl);
   const std::array<GLubyte, 8> glyph{0x18, 0x24, 0x42, 0x42, 0x7E, 0x42, 0x42, 0x42};
   gl.RasterPos3f(0, 0, 0);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int i = 0; i < 20; ++i) gl.Bitmap(8, 8, 0, 0, 9, 0, glyph.data());
 }
 
