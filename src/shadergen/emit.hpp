@@ -85,6 +85,10 @@ void emit_precise_half_vector(Writer& w, const ProgramKey& key);
 /// Some light is a point, or the viewer is local.
 bool lighting_reads_position(const ProgramKey& key);
 
+/// By default: an attenuated light may be stronger than its colours, and its errors with it; the
+/// errors of several lights add up.
+bool corrects_half_vector(const ProgramKey& key, std::uint8_t kind);
+
 /// The material property of a face as a GLSL expression: "" where it is in the blocks' products
 /// already.
 std::string material_expression(const ProgramKey& key, unsigned face, unsigned property);

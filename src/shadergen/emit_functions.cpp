@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "shadergen/emit.hpp"
 #include "shadergen/uniform_blocks.hpp"
 
@@ -196,7 +198,11 @@ void emit_lighting_functions(Writer& w, const ProgramKey& key) {
   else if (any_length) w.raw(fastest ? kFastUnitOfAny : kUnitOfAny);
   if (half_vectors) w.raw(kUnit);
   if (half_vectors && precise) emit_precise_half_vector_function(w, key);
-  else if (half_vectors && !fastest) w.raw(kHalfVectorOfUnits);
+  else if (half_vectors &&
+           std::any_of(key.lights.begin(), key.lights.end(), [&](const LightRun& run) {
+             return run.count && run.kind & kLightSpecular && corrects_half_vector(key, run.kind);
+           }))
+    w.raw(kHalfVectorOfUnits);
   const bool spot_powers = any_light(key, kLightSpotExponent);
   if (!fastest && (general_shininess || spot_powers)) w.raw(kLog2Of);
   if (precise && (general_shininess || spot_powers)) w.raw(kPrecisePowerOf);

@@ -119,7 +119,7 @@ bool normal_has_low(const ProgramKey& key) {
 void emit_half_vector(Writer& w, const ProgramKey& key, std::uint8_t kind,
                       const std::string& light) {
   const std::string half_vector =
-      key.quality == Quality::kFastest ? "unit(to_light + " : "half_vector_of_units(to_light, ";
+      corrects_half_vector(key, kind) ? "half_vector_of_units(to_light, " : "unit(to_light + ";
   const bool computed = key.local_viewer || kind & kLightPoint;
   if (computed && key.quality == Quality::kPrecise) emit_precise_half_vector(w, key);
   else if (key.local_viewer) w.line("vec3 h = " + half_vector + "to_viewer);");
@@ -265,6 +265,11 @@ bool lighting_reads_position(const ProgramKey& key) {
   for (const LightRun& run : key.lights)
     if (run.count && run.kind & kLightPoint) return true;
   return false;
+}
+
+bool corrects_half_vector(const ProgramKey& key, std::uint8_t kind) {
+  return key.quality == Quality::kDefault &&
+         (kind & kLightAttenuated || (key.local_viewer && key.light_count() > 1));
 }
 
 std::string material_expression(const ProgramKey& key, unsigned face, unsigned property) {
