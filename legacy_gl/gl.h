@@ -1215,8 +1215,7 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPopMatrix(void);
  *  GL_INVALID_ENUM: texture is not GL_TEXTURE0 to one below the number of units */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglActiveTexture(GLenum texture);
 /** GL 2.1 spec 2.11.3. Each capability is described where its feature is.
- *  GL_INVALID_ENUM: cap is not a capability
- *  GL_INVALID_ENUM: cap is an array (glEnableClientState) */
+ *  GL_INVALID_ENUM: cap is not a capability */
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDisable(GLenum cap);
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnable(GLenum cap);
 /** GL 2.1 spec 2.11.4.
