@@ -9,7 +9,7 @@ namespace legacy_gl {
 namespace {
 
 /// The pixels that the buffer has and the scissor leaves. No driver says how large a window is: the
-/// viewport does, row D22 of docs/deviations.md.
+/// viewport does, row D24 of docs/deviations.md.
 PixelRectangle accumulated_area(const RasterState& raster) {
   const auto& view = raster.viewport.box;
   PixelRectangle area{0, 0, std::max(view[0] + view[2], 0), std::max(view[1] + view[3], 0)};
