@@ -1,5 +1,5 @@
 #pragma once
-// Shared by the files that derive (derive*.cpp), nobody else's.
+// Shared by the files that derive (derive*.cpp, reached_lights.cpp), nobody else's.
 #include <algorithm>
 #include <cfloat>
 #include <cmath>

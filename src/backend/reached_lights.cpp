@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "backend/derive_parts.hpp"
+
 namespace legacy_gl {
 
 namespace {
@@ -93,9 +95,9 @@ double nearest_cosine(const Light& light, const glm::dvec3& to_center, double di
 }
 
 bool reaches(const Light& light, const Surface& surface) {
-  const bool spot = light.spot_cutoff_degrees != 180;
+  const bool spot = is_spot(light);
   const bool attenuated = light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
-  if (light.position_eye.w == 0 || !(spot || attenuated)) return true;
+  if (is_directional(light) || !(spot || attenuated)) return true;
   const glm::dvec3 position =
       glm::dvec3(light.position_eye) / static_cast<double>(light.position_eye.w);
   const glm::dvec3 to_center = surface.center - position;

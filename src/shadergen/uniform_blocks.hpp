@@ -52,8 +52,9 @@ static_assert(sizeof(TransformUniforms) == 272);
 
 struct LightUniforms {
   glm::vec4 position{0};  ///< lighting space; a directional light: the unit vector to it
-  /// Directional with an infinite viewer: half vector, in multiples of 1/2048. w of a point light:
-  /// the unit of its attenuation, as a factor of distances.
+  /// Directional with an infinite viewer: half vector, in multiples of 1/2048 where
+  /// splits_half_vectors. w of a point light: the unit of its attenuation, as a factor of
+  /// distances.
   glm::vec4 half_vector{0, 0, 0, 1};
   /// k0, k1, k2 for distances in lighting space, w: spot exponent. A directional light: the rest of
   /// its half vector.
