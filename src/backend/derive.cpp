@@ -1,5 +1,6 @@
 #include "backend/derive.hpp"
 
+#include <glm/gtc/matrix_access.hpp>
 #include <utility>
 
 #include "backend/derive_parts.hpp"
@@ -82,6 +83,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
       choose_lights(context);
     choose_space(context, layout);
     key.w_is_one = !(layout.fields & (kFieldPositionW | kFieldTransformed));
+    key.parallel = key.w_is_one && parallel_;
     key.quality = key.light_count() ? quality_of(context) : Quality::kDefault;
     key.per_fragment = key.light_count() && is_per_fragment(context);
     key.angle_error = key.space == LightingSpace::kObject && !linear_.exact && angles_matter(key);
@@ -110,6 +112,9 @@ const Matrix& Derived::modelview(const Context& context) const {
 }
 
 void Derived::update_transform(Context& context) {
+  const glm::mat4 clip = context.transform.projection.top().single * modelview(context).single;
+  transform.modelview_projection = transformed_ ? glm::mat4(1.0f) : clip;
+  parallel_ = glm::row(transform.modelview_projection, 3) == glm::vec4(0, 0, 0, 1);
   const glm::dmat4& matrix = modelview(context).exact;
   affine_ = is_affine(matrix);
   const glm::dmat3 linear(matrix);
@@ -180,8 +185,6 @@ bool Derived::choose_normalize(Context& context, bool unit_normals) {
 void Derived::fill_transform(const Context& context) {
   stale[kTransformBlock] = true;
   const Matrix& matrix = modelview(context);
-  transform.modelview_projection =
-      transformed_ ? glm::mat4(1.0f) : context.transform.projection.top().single * matrix.single;
   const float size = whole_point_size(context.raster.point);
   transform.point = {size, std::fmod(size, 2.0f) == 0 ? 0.0f : 0.5f, 0, 0};
   const std::array<GLint, 4>& box = context.raster.viewport.box;
@@ -218,8 +221,9 @@ void Derived::fill_transform(const Context& context) {
       precise.normal_matrix[static_cast<unsigned>(column)] = low(normals[column], 0);
     precise.viewer = low(viewer, normal_scale);
   }
-  for (int column = 0; column < 3; ++column)
-    transform.angle_error[static_cast<unsigned>(column)] = finite(linear_.angle_error[column], 0);
+  const glm::dmat3& error = linear_.angle_error;
+  transform.angle_error_half = finite(0.5 * glm::dvec3(error[0][0], error[1][1], error[2][2]), 0);
+  transform.angle_error_mixed = finite(glm::dvec3(error[2][1], error[2][0], error[1][0]), 0);
 }
 
 }  // namespace legacy_gl

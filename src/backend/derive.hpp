@@ -93,6 +93,7 @@ class Derived {
   bool transformed_ = false;
   LinearPart linear_;
   bool affine_ = true;
+  bool parallel_ = false;  ///< clip coordinates have the w of object coordinates
   bool linear_known_ = false;
   double normal_length_ = 1;  ///< of a unit normal after the modelview, where the products take it
   bool normalizes_ = false;   ///< GL_NORMALIZE, and some normal is no unit vector

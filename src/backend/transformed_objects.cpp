@@ -17,7 +17,8 @@ namespace {
 bool reads_nothing_else(const ProgramKey& key) {
   ProgramKey rest = key;
   rest.lit = rest.flat = rest.secondary_from_vertex = rest.two_side = rest.local_viewer = false;
-  rest.separate_specular = rest.angle_error = rest.lighting_position = rest.w_is_one = false;
+  rest.separate_specular = rest.angle_error = rest.lighting_position = false;
+  rest.w_is_one = rest.parallel = false;
   if (rest.quality == Quality::kFastest) rest.quality = Quality::kDefault;
   rest.space = {};
   rest.normal = {};

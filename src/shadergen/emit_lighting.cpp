@@ -233,7 +233,11 @@ void emit_normal_split(Writer& w, const ProgramKey& key) {
   if (!computes_half_vectors(key) || unit_normal) return;
   w.line(
       "float half_excess = 0.5 * ((dot(n_coarse, n_coarse) - 1.0) + dot(n_rest, n_coarse + n));");
-  if (key.angle_error) w.line("half_excess += 0.5 * dot(n, angle_error * n);");
+  if (key.angle_error) {
+    w.line("half_excess += n.x * dot(vec3(angle_error_half.x, angle_error_mixed.zy), n);");
+    w.line("half_excess += n.y * dot(vec2(angle_error_half.y, angle_error_mixed.x), n.yz);");
+    w.line("half_excess += n.z * (angle_error_half.z * n.z);");
+  }
 }
 
 void emit_light(Writer& w, const ProgramKey& key, std::uint8_t kind, const std::string& index) {

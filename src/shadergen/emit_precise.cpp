@@ -82,7 +82,11 @@ std::string half_vector_text(bool angle_error) {
              "vec3 half_vector(Two a, Two b) {\n"
              "  Two sum = add(a, b);\n"
              "  vec3 difference = a.hi - b.hi;\n") +
-         (angle_error ? "  difference -= angle_error * difference;\n" : "") +
+         (angle_error ? "  vec3 half_lack = angle_error_half.xyz * difference;\n"
+                        "  vec3 mixed_lack = angle_error_mixed.zxy * difference.yzx +\n"
+                        "                    angle_error_mixed.yzx * difference.zxy;\n"
+                        "  difference -= (half_lack + half_lack) + mixed_lack;\n"
+                      : "") +
          "  return unit(sum.hi + (sum.lo + 0.5 * dot(sum.hi, difference) * b.hi));\n"
          "}\n\n";
 }

@@ -75,7 +75,8 @@ ProgramKey generalise(const ProgramKey& key) {
   ProgramKey general = key;
   general.general_lights = kGeneralLights;
   while (general.general_lights < key.light_count()) general.general_lights *= 2;
-  general.position4 = general.w_is_one = general.local_viewer = general.angle_error = false;
+  general.position4 = general.w_is_one = general.parallel = false;
+  general.local_viewer = general.angle_error = false;
   general.space = LightingSpace::kObject;
   general.normal = NormalMode::kAsIs;
   general.integer_shininess = {};

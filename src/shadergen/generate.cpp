@@ -83,7 +83,9 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (key.lit) general ? emit_general_functions(w) : emit_lighting_functions(w, key);
   emit_texture_functions(w, key.textures);
   w.open("void main() {");
-  w.line(pixels         ? "gl_Position = position;"
+  w.line(pixels ? "gl_Position = position;"
+         : key.parallel
+             ? "gl_Position = vec4((modelview_projection * vec4(position.xyz, 1.0)).xyz, 1.0);"
          : key.w_is_one ? "gl_Position = modelview_projection * vec4(position.xyz, 1.0);"
                         : "gl_Position = modelview_projection * position;");
   if (pixels) w.line("texel = texel_position;");

@@ -44,22 +44,12 @@ void describe_fragments(std::string& text, const FragmentKey& key) {
 
 std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   std::size_t hash = 0xcbf29ce484222325ull;
-  const bool flags[] = {key.lit,
-                        key.flat,
-                        key.secondary_from_vertex,
-                        key.two_side,
-                        key.local_viewer,
-                        key.separate_specular,
-                        key.position4,
-                        key.w_is_one,
-                        key.points,
-                        key.per_fragment,
-                        key.back_only,
-                        key.angle_error,
-                        key.scaled_sums,
-                        key.lighting_position,
-                        key.depth_offset,
-                        key.line_offset};
+  const bool flags[] = {key.lit,          key.flat,         key.secondary_from_vertex,
+                        key.two_side,     key.local_viewer, key.separate_specular,
+                        key.position4,    key.w_is_one,     key.parallel,
+                        key.points,       key.per_fragment, key.back_only,
+                        key.angle_error,  key.scaled_sums,  key.lighting_position,
+                        key.depth_offset, key.line_offset};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
@@ -132,6 +122,7 @@ std::string describe(const ProgramKey& key) {
   if (key.per_fragment) append(text, "per fragment");
   if (key.position4) append(text, "vertex w");
   if (key.w_is_one) append(text, "w 1");
+  if (key.parallel) append(text, "parallel projection");
   if (key.points) append(text, "points");
   if (key.angle_error) append(text, "angles corrected");
   if (key.back_only) append(text, "back faces");

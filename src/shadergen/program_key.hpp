@@ -80,6 +80,7 @@ struct ProgramKey {
   bool separate_specular = false;
   bool position4 = false;  ///< the position attribute has a w
   bool w_is_one = false;   ///< lit, and the position attribute has none
+  bool parallel = false;   ///< w_is_one, and modelview and projection leave w as it is
   bool points = false;     ///< draws GL_POINTS
   bool per_fragment = false;
   bool scaled_sums = false;  ///< colours so large that sums of their products leave the range

@@ -33,7 +33,9 @@ struct TransformUniforms {
   glm::vec4 viewer{0};             ///< xyz: the eye in lighting space; w: scale of the normals
   glm::vec4 point{1, 0.5f, 0, 0};  ///< x: point size in pixels, y: 0.5 where it is odd
   glm::vec4 viewport{1, 1, 0, 0};  ///< xy: half its size, zw: its centre, in window coordinates
-  std::array<glm::vec4, 3> angle_error{};  ///< what the modelview lacks to keep angles exactly
+  /// What the modelview lacks to keep angles exactly, a symmetric matrix: half its diagonal, and
+  /// its yz, zx and xy.
+  glm::vec4 angle_error_half{0}, angle_error_mixed{0};
 };
 inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Transform {
   mat4 modelview_projection;
@@ -42,13 +44,14 @@ inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Tra
   vec4 viewer;        // xyz: the eye in lighting space, w: scale of the normals
   vec4 point;         // x: point size in pixels, y: 0.5 where it is odd
   vec4 viewport;      // xy: half its size, zw: its centre, in window coordinates
-  mat3 angle_error;   // what the modelview lacks to keep angles exactly
+  vec4 angle_error_half;   // what the modelview lacks to keep angles exactly: half its diagonal
+  vec4 angle_error_mixed;  // its yz, zx, xy
 };
 )";
 static_assert(offsetof(TransformUniforms, normal_matrix) == 128);
 static_assert(offsetof(TransformUniforms, viewer) == 176);
-static_assert(offsetof(TransformUniforms, angle_error) == 224);
-static_assert(sizeof(TransformUniforms) == 272);
+static_assert(offsetof(TransformUniforms, angle_error_half) == 224);
+static_assert(sizeof(TransformUniforms) == 256);
 
 struct LightUniforms {
   glm::vec4 position{0};  ///< lighting space; a directional light: the unit vector to it

@@ -154,6 +154,20 @@ const std::vector<SceneChange>& scene_changes() {
       {"rescale", [](Gl gl) { gl.Enable(GL_RESCALE_NORMAL); }},
       {"rotate", [](Gl gl) { gl.Rotatef(20, 0.3f, 1, 0.1f); }},
       {"translate", [](Gl gl) { gl.Translatef(0.1f, -0.1f, 0.2f); }},
+      {"parallel projection",
+       [](Gl gl) {
+         gl.MatrixMode(GL_PROJECTION);
+         gl.LoadIdentity();
+         gl.Ortho(-2, 2, -2, 2, 2, 20);
+         gl.MatrixMode(GL_MODELVIEW);
+       }},
+      {"perspective",
+       [](Gl gl) {
+         gl.MatrixMode(GL_PROJECTION);
+         gl.LoadIdentity();
+         gl.Frustum(-1, 1, -1, 1, 2, 20);
+         gl.MatrixMode(GL_MODELVIEW);
+       }},
       {"projection",
        [](Gl gl) {
          gl.MatrixMode(GL_PROJECTION);

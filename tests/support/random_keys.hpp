@@ -58,6 +58,7 @@ class RandomKeys {
     key.back_only = key.two_side && chance(4);
     key.lighting_position = chance(3);
     key.w_is_one = !key.position4 && !key.lighting_position && chance(2);
+    key.parallel = key.w_is_one && chance(2);
     const bool specular = add_lights(key);
     key.space =
         key.position4 ? LightingSpace::kEyeHomogeneous : static_cast<LightingSpace>(below(3));
