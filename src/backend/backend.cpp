@@ -6,6 +6,7 @@
 
 #include "immediate/clip_test.hpp"
 #include "immediate/primitives.hpp"
+#include "immediate/tiny_normals.hpp"
 #include "shadergen/generate.hpp"
 
 namespace legacy_gl {
@@ -273,9 +274,19 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
   }
 }
 
+/// Of recorded vertices from `first` on.
+void Backend::enlarge_normals(Context& context, std::uint32_t first) {
+  Recorder& recorder = context.recorder;
+  if (!context.transform.normalize_enabled || !(recorder.layout().fields & kFieldNormal)) return;
+  const std::size_t stride = recorder.offsets().stride;
+  enlarge_tiny_normals(recorder.data() + first * stride + recorder.offsets().normal, stride,
+                       recorder.vertex_count() - first);
+}
+
 void Backend::draw_recorded(Context& context) {
   Recorder& recorder = context.recorder;
   if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
+  else enlarge_normals(context, 0);
   if ((is_unfilled(context.raster.polygon) || widens_lines(context)) && draw_unfilled(context))
     return recorder.clear();
   DrawBounds bounds;

@@ -120,6 +120,7 @@ class Backend {
   bool can_transform(Context& context);
   bool begin_transformed(Context& context);
   void transform_vertices(Context& context);
+  void enlarge_normals(Context& context, std::uint32_t first);
   void draw_runs(Context& context, std::uint32_t base_vertex);
   std::uint32_t upload_vertices(Context& context);
   std::optional<std::uint32_t> stream_vertices(Context& context, const ArrayGather& gather,

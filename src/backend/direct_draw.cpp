@@ -5,6 +5,7 @@
 #include "backend/array_draw.hpp"
 #include "backend/backend.hpp"
 #include "immediate/primitives.hpp"
+#include "immediate/tiny_normals.hpp"
 #include "shadergen/attributes.hpp"
 
 namespace legacy_gl {
@@ -34,7 +35,7 @@ void for_each_source(const VertexLayout& layout, Visit visit) {
 
 glm::vec4 current_value(const Context& context, unsigned array) {
   switch (array) {
-    case kNormalArray: return glm::vec4(context.current.normal, 0);
+    case kNormalArray: return glm::vec4(current_normal_to_draw(context), 0);
     case kSecondaryColorArray: return context.current.secondary_color;
     case kFogCoordArray: return glm::vec4(context.current.fog_coordinate, 0, 0, 1);
     case kColorArray: return context.current.color;

@@ -4,6 +4,7 @@
 #include "backend/backend.hpp"
 #include "immediate/clip_test.hpp"
 #include "immediate/draw_mesh.hpp"
+#include "immediate/tiny_normals.hpp"
 #include "shadergen/attributes.hpp"
 
 namespace legacy_gl {
@@ -27,7 +28,9 @@ void draw_kept_mesh(Context& context, const ListMesh& mesh) {
     return std::any_of(mesh.runs.begin(), mesh.runs.end(),
                        [](const PrimitiveRun& run) { return is_line(run.mode); });
   };
-  if (context.backend->widens_lines(context) && has_lines()) return record_mesh(context, mesh);
+  if ((context.backend->widens_lines(context) && has_lines()) ||
+      (mesh.tiny_normals && context.transform.normalize_enabled))
+    return record_mesh(context, mesh);
   if (context.backend->join_mesh(context, mesh)) return;
   flush_pending(context);
   context.backend->draw_mesh(context, mesh);
@@ -62,7 +65,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const auto missing = static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields);
   const CurrentValues& current = context.current;
   if (missing & kFieldNormal) {
-    const glm::vec4 normal(current.normal, 1);
+    const glm::vec4 normal(current_normal_to_draw(context), 1);
     driver.VertexAttrib4fv(kLocationNormal, &normal[0]);
   }
   if (missing & kFieldColor) driver.VertexAttrib4fv(kLocationColor, &current.color[0]);

@@ -8,6 +8,7 @@
 #include "backend/backend.hpp"
 #include "immediate/array_gather.hpp"
 #include "immediate/primitives.hpp"
+#include "immediate/tiny_normals.hpp"
 
 namespace legacy_gl {
 
@@ -28,6 +29,14 @@ std::optional<ElementRange> find_range(const ArrayDraw& draw, const ElementView&
   }
   if (range.highest >= positions.readable) return {};
   return range;
+}
+
+/// Some normal may be so short that the recorder has to make it longer.
+bool may_be_tiny(const Context& context, const ArrayView& normals, const ElementRange& range) {
+  return context.transform.normalize_enabled && normals.data &&
+         Recorder::relevant_layout(context).fields & kFieldNormal &&
+         range.highest < normals.readable &&
+         has_tiny_components(normals, range.lowest, range.highest - range.lowest + 1);
 }
 
 }  // namespace
@@ -68,7 +77,7 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
   const ArrayView& positions = readable.views()[kVertexArray];
   const ElementView elements = draw.is_indexed() ? readable.elements(draw) : ElementView{};
   const std::optional<ElementRange> range = find_range(draw, elements, positions);
-  if (!range) return false;
+  if (!range || may_be_tiny(context, readable.views()[kNormalArray], *range)) return false;
 
   flush_pending(context);
   VertexLayout layout = Recorder::relevant_layout(context);

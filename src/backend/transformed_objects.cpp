@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "backend/backend.hpp"
+#include "immediate/tiny_normals.hpp"
 
 namespace legacy_gl {
 
@@ -137,6 +138,7 @@ void Backend::transform_vertices(Context& context) {
   const std::uint16_t fields = recorder.layout().fields;
   const std::uint32_t first = recorder.first_untransformed(), end = recorder.vertex_count();
   if (first == end) return;
+  enlarge_normals(context, first);
   const VertexTransform t = vertex_transform(context, true, fields & kFieldNormal);
   ClipFlags flags;
   float* vertex = recorder.data() + std::size_t{first} * offsets.stride;
@@ -198,6 +200,8 @@ bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
 
   std::array<float, kMaxVertexFloats + Recorder::kSlackFloats> current{};
   recorder.put_template(context, current.data());
+  const glm::vec3 normal = current_normal_to_draw(context);
+  if (fields & kFieldNormal) std::memcpy(&current[to.normal], &normal[0], sizeof normal);
   VertexTransform t = vertex_transform(context, transform, fields & kFieldNormal);
   ClipFlags flags;
   // Behind the position comes the normal, then what the current values fill.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "immediate/primitives.hpp"
+#include "immediate/tiny_normals.hpp"
 
 namespace legacy_gl {
 
@@ -27,6 +28,8 @@ void ListMesh::finish() {
       highest[axis] = std::max(highest[axis], value);
     }
   unit_normals = layout.fields & kFieldNormal;
+  tiny_normals =
+      unit_normals && has_tiny_components(&vertices[offsets.normal], stride, vertex_count());
   for (std::size_t at = 0; at < vertices.size(); at += stride) {
     const float* const normal = &vertices[at] + offsets.normal;
     const float* const color = &vertices[at] + offsets.color;

@@ -40,6 +40,7 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   glm::vec3 lowest{0}, highest{0};  ///< of the positions
   float longest_normal = 0;         ///< where it has normals
   bool unit_normals = false;        ///< it has, and each is a unit vector as float32 rounds one
+  bool tiny_normals = false;        ///< some may be too short for the driver (tiny_normals.hpp)
   float largest_color = 0;          ///< component of its colours, where it has them
 
   /// Called once, when nothing joins the mesh any more.

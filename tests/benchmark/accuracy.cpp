@@ -120,7 +120,7 @@ bool is_presentable(const oracle::Color& color) {
 
 void measure_stress(const Arguments& arguments, const Variants& variants) {
   std::ofstream table(arguments.stress);
-  table << "class,variant,samples,judged,largest,not_presentable,driver_may_flush\n";
+  table << "class,variant,samples,judged,largest,not_presentable\n";
   constexpr double kJumpTolerance = 2e-6;  // as in tests/stress
   constexpr std::uint32_t kStressSeed = 7;
   const std::uint32_t samples = arguments.quick ? 150 : 1000;
@@ -143,9 +143,8 @@ void measure_stress(const Arguments& arguments, const Variants& variants) {
         largest = std::max(largest, oracle::difference_steps(color, expected));
       }
       char row[256];
-      std::snprintf(row, sizeof row, "\"%s\",%s,%u,%u,%.4e,%u,%d\n", stress_class.name.c_str(),
-                    variant->name().c_str(), samples, judged, largest, not_presentable,
-                    stress_class.driver_may_flush ? 1 : 0);
+      std::snprintf(row, sizeof row, "\"%s\",%s,%u,%u,%.4e,%u\n", stress_class.name.c_str(),
+                    variant->name().c_str(), samples, judged, largest, not_presentable);
       table << row << std::flush;
     }
   }

@@ -6,7 +6,7 @@ namespace oracle {
 namespace {
 
 StressSample directional_of_any_length(Random& random) {
-  return ordinary(random, away(random, random.magnitude(-38, 37.6f), 0), away(random, 1, 1));
+  return ordinary(random, away(random, random.magnitude(-38, 37.69f), 0), away(random, 1, 1));
 }
 
 StressSample light_w(Random& random) {
@@ -63,7 +63,7 @@ StressSample spot(Random& random) {
 
 StressSample spot_direction_of_any_length(Random& random) {
   StressSample sample = spot(random);
-  const float length = random.magnitude(-44, 38.2f);
+  const float length = random.magnitude(-44, 38.47f);
   for (float& c : sample.state.lights[0].spot_direction_specified) c *= length;
   sample.state.lights[0].spot_cutoff_degrees = 60;
   sample.state.lights[0].spot_exponent = 1;
@@ -136,13 +136,13 @@ StressSample light_nearly_opposite_to_the_eye(Random& random) {
 
 std::span<const StressClass> light_classes() {
   static const StressClass classes[] = {
-      {"directional position 1e-38 to 4e37", directional_of_any_length},
+      {"directional position 1e-38 to 5e37", directional_of_any_length},
       {"light w of any sign, 1e-30 to 1e30", light_w},
       {"light w of any sign, light nearby", light_w_near},
       {"attenuation 0, 1e-42 to 3e38", attenuation},
       {"attenuation all zero", attenuation_zero},
       {"spot, any angle and cutoff", spot},
-      {"spot direction 1e-44 to 2e38", spot_direction_of_any_length},
+      {"spot direction 1e-44 to 3e38", spot_direction_of_any_length},
       {"spot direction zero", spot_direction_zero},
       {"cutoff 0, 0.001, 0.5, 89.99, 90, 180", cutoffs},
       {"beside the cone", beside_the_cone},

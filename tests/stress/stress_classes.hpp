@@ -22,9 +22,6 @@ struct StressClass {
   double bound_steps = 0.5;
   // The samples lie exactly on a jump of the equation, where the specification takes a side.
   bool on_a_jump = false;
-  // A driver may take denormal numbers for zero (GLSL 3.30 spec 4.1.4, OpenGL 2.1 spec 2.1.1), and
-  // llvmpipe does, so only finiteness is asked for.
-  bool driver_may_flush = false;
 };
 
 inline void PrintTo(const StressClass& stress_class, std::ostream* out) {

@@ -97,9 +97,7 @@ RenderContext& of_quality(legacy_gl_quality quality) {
 class Stress : public testing::TestWithParam<StressClass> {};
 
 void expect_calm(const StressClass& stress_class, const Outcome& outcome) {
-  if (!stress_class.driver_may_flush) {
-    EXPECT_LE(outcome.largest, stress_class.bound_steps);
-  }
+  EXPECT_LE(outcome.largest, stress_class.bound_steps);
   EXPECT_EQ(outcome.not_presentable, 0U);
   EXPECT_EQ(outcome.poisoned, 0U);
 }
