@@ -6,12 +6,16 @@ import matplotlib
 
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "legacy_gl"  # the same figures give the same file
+import matplotlib.patheffects  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 
 import tables  # noqa: E402
 
 HIGHEST = 1e-2  # of the error's axis
 LABEL_PLACES = {"fastest": (-12, -18, "center"), "Mesa": (10, 6, "left")}
+
+# Labels stay readable over points and lines.
+HALO = [matplotlib.patheffects.withStroke(linewidth=3, foreground="white")]
 
 COLORS = {
     "Mesa": "#555555",
@@ -75,7 +79,8 @@ def overview(errors, times, docs):
         axes.scatter([x], [y], s=110, color=COLORS[variant], edgecolors="white", zorder=3)
         right, up, side = LABEL_PLACES.get(variant, (9, 7, "left"))
         axes.annotate(variant, (x, y), (right, up), textcoords="offset points", ha=side,
-                      color=COLORS[variant], fontsize=11, fontweight="bold", zorder=4)
+                      color=COLORS[variant], fontsize=11, fontweight="bold", zorder=4,
+                      path_effects=HALO)
     scales(axes, [0.7, 1, 1.5, 2, 3, 5])
     axes.set_xlabel("CPU time of lit vertices / Mesa's fixed function")
     axes.set_ylabel("largest error of a colour, in steps of 1/255")

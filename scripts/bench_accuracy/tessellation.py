@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import charts  # noqa: E402
 
 COLORS = {"flat": "#b5651d", "Gouraud": "#3465a4", "Phong": "#a40000"}
-LABELLED = (4, 8, 16, 32, 64, 128)
+LABELLED = (8, 32, 128)
 STRIP = (8, 16, 32, 64, 256)
 
 
@@ -23,10 +23,11 @@ def curves(rows, docs):
                       markersize=4, linewidth=1.5)
             for x, y, slices in points:
                 if slices in LABELLED and shading != "flat":
-                    axes.annotate(str(slices), (x, y), (-4, -11) if shading == "Gouraud" else (4, 4),
-                                  textcoords="offset points", fontsize=7, color=color)
-            axes.annotate(f"{shading}, {points[-1][2]}", points[-1][:2], (7, -3), textcoords="offset points", color=color,
-                          fontsize=11, fontweight="bold")
+                    axes.annotate(str(slices), (x, y), (-5, -13) if shading == "Gouraud" else (5, 4),
+                                  textcoords="offset points", fontsize=8, color=color,
+                                  path_effects=charts.HALO)
+            axes.annotate(f"{shading}, {points[-1][2]}", points[-1][:2], (7, -3), textcoords="offset points",
+                          color=color, fontsize=11, fontweight="bold", path_effects=charts.HALO)
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_xlim(right=axes.get_xlim()[1] * 2.4)

@@ -84,11 +84,11 @@ vec3 half_vector_of_units(vec3 a, vec3 b) {
 
 constexpr const char* kUnitOfAny =
     R"(// Of a vector whose square may leave the range: an exact power of two brings its largest component
-// near 1 first.
+// to between 2 and 4 first.
 vec3 unit_of_any(vec3 v) {
   vec3 a = abs(v);
   int exponent = floatBitsToInt(max(max(a.x, a.y), a.z)) & 0x7f800000;
-  v *= intBitsToFloat(min(0x7f000000 - exponent, 0x7e800000));
+  v *= intBitsToFloat(min(0x7f800000 - exponent, 0x7e800000));
   return v * inversesqrt(max(dot(v, v), 1e-37));
 }
 

@@ -139,37 +139,47 @@ struct Arguments {
   int rounds = 21;
 };
 
+constexpr std::array kSlices{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+
 void measure_shape(const Arguments& arguments, std::ofstream& table, CoreContext& context,
                    const Shape& shape) {
   const GlFunctions& gl = context.gl;
-  const GLuint list = gl.GenLists(1);
-  compile_mesh(gl, list, shape, kReferenceSlices);
-  frame(gl, list, GL_PHONG_WIN);
+  const GLuint lists = gl.GenLists(GLsizei(kSlices.size()) + 1);
+  compile_mesh(gl, lists, shape, kReferenceSlices);
+  frame(gl, lists, GL_PHONG_WIN);
   const Image reference = context.read_float();
-  for (const int slices : {4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256}) {
-    std::fprintf(stderr, "%s, %d slices\n", shape.name, slices);
-    compile_mesh(gl, list, shape, slices);
-    std::array<std::vector<double>, kShadings.size()> seconds;
-    std::array<ImageError, kShadings.size()> errors;
-    for (int round = -2; round < arguments.rounds; ++round)
+  struct Cell {
+    std::vector<double> seconds;
+    ImageError error;
+  };
+  std::array<std::array<Cell, kShadings.size()>, kSlices.size()> cells;
+  std::fprintf(stderr, "%s\n", shape.name);
+  for (std::size_t mesh = 0; mesh < kSlices.size(); ++mesh)
+    compile_mesh(gl, lists + 1 + GLuint(mesh), shape, kSlices[mesh]);
+  // All in turn, so that a busy moment of the machine is one round of each and no median.
+  for (int round = -2; round < arguments.rounds; ++round)
+    for (std::size_t mesh = 0; mesh < kSlices.size(); ++mesh)
       for (std::size_t i = 0; i < kShadings.size(); ++i) {
+        Cell& cell = cells[mesh][i];
         const double start = cpu_seconds();
-        frame(gl, list, kShadings[i].model);
-        if (round >= 0) seconds[i].push_back(cpu_seconds() - start);
+        frame(gl, lists + 1 + GLuint(mesh), kShadings[i].model);
+        if (round >= 0) cell.seconds.push_back(cpu_seconds() - start);
         if (round != -1) continue;
         const Image image = context.read_float();
-        errors[i] = image_error(image, reference);
+        cell.error = image_error(image, reference);
         if (!arguments.pictures.empty())
-          write_png(image, arguments.pictures + "/" + shape.name + "_" + std::to_string(slices) +
-                               "_" + kShadings[i].name + ".png");
+          write_png(image, arguments.pictures + "/" + shape.name + "_" +
+                               std::to_string(kSlices[mesh]) + "_" + kShadings[i].name + ".png");
       }
+  for (std::size_t mesh = 0; mesh < kSlices.size(); ++mesh)
     for (std::size_t i = 0; i < kShadings.size(); ++i) {
+      const Cell& cell = cells[mesh][i];
       char row[128];
-      std::snprintf(row, sizeof row, "%s,%d,%s,%.4f,%.4f,%.4f\n", shape.name, slices,
-                    kShadings[i].name, 1e3 * median(seconds[i]), errors[i].all, errors[i].shading);
+      std::snprintf(row, sizeof row, "%s,%d,%s,%.4f,%.4f,%.4f\n", shape.name, kSlices[mesh],
+                    kShadings[i].name, 1e3 * median(cell.seconds), cell.error.all,
+                    cell.error.shading);
       table << row << std::flush;
     }
-  }
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ StressSample eye_near_vertex(Random& random) {
 
 StressSample normals(Random& random) {
   StressSample sample = ordinary(random, away(random, 3, 1), {0, 0, 0, 1});
-  const float length = random.magnitude(-44, 38.47f);
+  const bool longest = random.below(8) == 0;
+  const float length = longest ? random.magnitude(38.2f, 38.47f) : random.magnitude(-44, 38.47f);
   for (float& c : sample.vertex.normal_object) c *= length;
   sample.state.normalize = true;
   return sample;
