@@ -112,7 +112,13 @@ void draw_pending(Context& context) {
   if (context.recorder.inside_begin_end()) return;
   if (context.selection.is_selecting()) return select_recorded(context);
   if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
-  if (context.recorder.has_pending()) context.backend->draw_recorded(context);
+  if (context.recorder.has_pending()) context.backend->draw_recorded(context, true);
+}
+
+void draw_part_of_batch(Context& context) {
+  if (context.selection.is_selecting()) return select_recorded(context);
+  if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
+  context.backend->draw_recorded(context, false);
 }
 
 }  // namespace legacy_gl

@@ -62,6 +62,7 @@ bool Backend::widens_lines(const Context& context) const {
 void Backend::reset_driver_state() {
   bound_program_ = bound_array_ = 0;  // no name of ours
   raster_.forget();
+  framebuffer_facts_.reset();
   textures_.forget_bindings();
   derived_.stale.fill(true);
 }
@@ -283,12 +284,13 @@ void Backend::enlarge_normals(Context& context, std::uint32_t first) {
                        recorder.vertex_count() - first);
 }
 
-void Backend::draw_recorded(Context& context) {
+void Backend::draw_batch(Context& context) {
   Recorder& recorder = context.recorder;
+  if (recorder.runs().empty()) return;
   if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   else enlarge_normals(context, 0);
   if ((is_unfilled(context.raster.polygon) || widens_lines(context)) && draw_unfilled(context))
-    return recorder.clear();
+    return;
   DrawBounds bounds;
   DrawFacts facts;
   if (looks_at_reach(context) && find_bounds(context, bounds)) facts.bounds = &bounds;
@@ -297,7 +299,7 @@ void Backend::draw_recorded(Context& context) {
                            recorder.vertex_count(), recorder.offsets().stride,
                            recorder.offsets().position_size == 4)) {
     ++context.statistics.primitives_clipped;
-    return recorder.clear();
+    return;
   }
   apply_derived(context);
   const std::uint32_t base_vertex = upload_vertices(context);
@@ -305,7 +307,33 @@ void Backend::draw_recorded(Context& context) {
   bind_vertex_array(array);
   draw_runs(context, base_vertex);
   ++context.statistics.batches;
-  recorder.clear();
+}
+
+/// The parts that were as they had been, before one that is not.
+void Backend::draw_held(Context& context) {
+  if (repeated_batches_.held_vertices() == 0) return;
+  Recorder& recorder = context.recorder;
+  const VertexLayout layout = recorder.layout();
+  const std::uint32_t count = recorder.vertex_count();
+  const std::vector<float> vertices(
+      recorder.data(), recorder.data() + std::size_t{count} * recorder.offsets().stride);
+  const std::vector<PrimitiveRun> runs = recorder.runs();
+  const std::shared_ptr<ListMesh> mesh = repeated_batches_.mesh();
+  recorder.load(mesh->layout, mesh->vertices.data(), repeated_batches_.held_vertices(),
+                mesh->runs.data(), repeated_batches_.held_runs());
+  draw_batch(context);
+  recorder.load(layout, vertices.data(), count, runs.data(), runs.size());
+}
+
+void Backend::draw_recorded(Context& context, bool last) {
+  using Answer = RepeatedBatches::Answer;
+  const Answer answer =
+      transforms_as_shaders_ ? repeated_batches_.take(context, last) : Answer::kDraw;
+  if (answer == Answer::kComplete) draw_mesh(context, *repeated_batches_.mesh());
+  if (answer == Answer::kDifferent) draw_held(context);
+  if (answer == Answer::kDraw || answer == Answer::kDifferent) draw_batch(context);
+  if (repeated_batches_.goes_on()) context.recorder.forget_part();
+  else context.recorder.clear();
 }
 
 }  // namespace legacy_gl

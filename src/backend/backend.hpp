@@ -14,6 +14,7 @@
 #include "backend/program_cache.hpp"
 #include "backend/query_objects.hpp"
 #include "backend/raster.hpp"
+#include "backend/repeated_batches.hpp"
 #include "backend/stream_buffer.hpp"
 #include "backend/textures.hpp"
 #include "backend/vertex_arrays.hpp"
@@ -31,8 +32,9 @@ class Backend {
  public:
   Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles files);
 
-  /// Draws the recorder's batch and clears it.
-  void draw_recorded(Context& context);
+  /// Draws the recorder's batch and clears it. Unless it is the last part of its batch, more of the
+  /// same state follows.
+  void draw_recorded(Context& context, bool last);
 
   /// Transforms the recorder's last object, so that objects under other matrices can join its
   /// batch. False when the batch is to be drawn instead.
@@ -94,6 +96,18 @@ class Backend {
   /// past texturing, fog and their like, as stencil indices do.
   void draw_pixel_quads(Context& context, PixelSource source, const std::vector<float>& vertices,
                         const RasterState& raster, const RasterTextureCoordinates* coordinates);
+  /// What the framebuffer that is drawn into is made of.
+  struct FramebufferFacts {
+    GLint depth_bits = 0;
+    bool multisampled = false;
+  };
+  const FramebufferFacts& framebuffer_facts(const Context& context);
+  std::optional<SurfaceView> surface_view(Context& context, const ListMesh& mesh,
+                                          const Surface& surface);
+  /// False when the mesh is to be drawn whole.
+  bool draw_surface(Context& context, const ListMesh& mesh, MeshBuffers::Entry& buffers);
+  void draw_batch(Context& context);
+  void draw_held(Context& context);
   void prepare(Context& context, const VertexLayout& layout);
   /// Brings the driver up to what is derived.
   void apply_derived(Context& context);
@@ -137,6 +151,9 @@ class Backend {
   StreamBuffer uniforms_;
   VertexArrays arrays_;
   MeshBuffers meshes_;
+  SeenTriangles seen_triangles_;
+  RepeatedBatches repeated_batches_;
+  std::optional<FramebufferFacts> framebuffer_facts_;
   BufferArrays buffer_arrays_;
   RasterApplier raster_;
   Bitmaps bitmaps_;

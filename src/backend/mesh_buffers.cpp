@@ -10,6 +10,9 @@ void MeshBuffers::erase(const Entry& entry) {
   driver_.DeleteVertexArrays(1, &entry.array);
   driver_.DeleteBuffers(1, &entry.vertex_buffer);
   driver_.DeleteBuffers(1, &entry.index_buffer);
+  if (!entry.surface) return;
+  driver_.DeleteVertexArrays(1, &entry.surface->array);
+  driver_.DeleteBuffers(1, &entry.surface->index_buffer);
 }
 
 void MeshBuffers::erase_expired() {
@@ -21,7 +24,7 @@ void MeshBuffers::erase_expired() {
   sweep_at_ = 2 * entries_.size() + 64;
 }
 
-const MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool& uploaded) {
+MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool& uploaded) {
   const auto at = entries_.find(&mesh);
   if (at != entries_.end() && !at->second.mesh.expired()) return at->second;
   uploaded = true;
@@ -43,7 +46,7 @@ const MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool
                      static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                      mesh.indices.data(), GL_STATIC_DRAW);
   entry.array = build_vertex_array(driver_, mesh.layout, entry.vertex_buffer, entry.index_buffer);
-  return entries_.emplace(&mesh, entry).first->second;
+  return entries_.emplace(&mesh, std::move(entry)).first->second;
 }
 
 }  // namespace legacy_gl

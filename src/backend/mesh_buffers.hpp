@@ -1,12 +1,22 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "backend/driver.hpp"
 #include "backend/vertex_arrays.hpp"
 #include "immediate/list_mesh.hpp"
+#include "immediate/seen_triangles.hpp"
 
 namespace legacy_gl {
+
+/// A closed mesh's triangles, and those of them that were drawn last.
+struct KeptSurface {
+  std::shared_ptr<const Surface> surface;
+  std::optional<SurfaceView> view;
+  GLuint index_buffer = 0, array = 0;
+  GLsizei index_count = 0;
+};
 
 /// A list's mesh in the driver: uploaded when this context draws it first, deleted after the list
 /// is gone.
@@ -15,6 +25,8 @@ class MeshBuffers {
   struct Entry {
     std::weak_ptr<const ListMesh> mesh;
     GLuint vertex_buffer = 0, index_buffer = 0, array = 0;
+    unsigned draws = 0;  ///< so far, until it is looked at whether the mesh is closed
+    std::unique_ptr<KeptSurface> surface;
   };
 
   explicit MeshBuffers(const Driver& driver) : driver_(driver) {}
@@ -23,7 +35,7 @@ class MeshBuffers {
   MeshBuffers& operator=(const MeshBuffers&) = delete;
 
   /// `uploaded` says that the mesh was not in the driver yet; the array may then be bound.
-  const Entry& find_or_upload(const ListMesh& mesh, bool& uploaded);
+  Entry& find_or_upload(const ListMesh& mesh, bool& uploaded);
 
  private:
   void erase(const Entry& entry);

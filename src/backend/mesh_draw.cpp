@@ -53,14 +53,13 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   }
   apply_derived(context);
   bool uploaded = false;
-  const MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
+  MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
   if (uploaded) {
     bound_array_ = buffers.array;  // building it has bound it
     context.statistics.vertex_bytes_uploaded += mesh.vertices.size() * sizeof(float);
     context.statistics.index_bytes_uploaded += mesh.indices.size() * sizeof(std::uint32_t);
     context.statistics.list_vertices_welded += mesh.welded;
   }
-  bind_vertex_array(buffers.array);
   // What the list does not say is the current value when it is called.
   const auto missing = static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields);
   const CurrentValues& current = context.current;
@@ -79,6 +78,10 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
     if (wanted.texcoords & ~kept & 1u << unit)
       driver.VertexAttrib4fv(texcoord_location(unit), &current.texture_coordinates[unit][0]);
 
+  context.statistics.vertices += mesh.vertex_count();
+  ++context.statistics.batches;
+  if (draw_surface(context, mesh, buffers)) return;
+  bind_vertex_array(buffers.array);
   for (const ListMesh::Draw& draw : mesh.draws) {
     if (!use_program(context, draw.mode == GL_POINTS, mesh.vertex_count())) continue;
     const auto count = static_cast<GLsizei>(draw.count);
@@ -94,8 +97,6 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
       context.statistics.draws += draw.count - 1;
     }
   }
-  context.statistics.vertices += mesh.vertex_count();
-  ++context.statistics.batches;
 }
 
 }  // namespace legacy_gl

@@ -23,7 +23,7 @@ double largest(const glm::vec4& color) {
 }
 
 /// The sphere around a draw, in eye coordinates, and the most that its surface makes of light.
-struct Surface {
+struct LitSurface {
   glm::dvec3 center;
   double radius;
   double ambient = 0, diffuse = 0, specular = 0;
@@ -57,11 +57,11 @@ double material_size(const Context& context, const VertexLayout& layout, const D
   return size;
 }
 
-Surface surface_of(const Context& context, const glm::dmat4& modelview, const LinearPart& linear,
-                   const VertexLayout& layout, const DrawBounds& bounds) {
+LitSurface surface_of(const Context& context, const glm::dmat4& modelview, const LinearPart& linear,
+                      const VertexLayout& layout, const DrawBounds& bounds) {
   const glm::dvec3 lowest(bounds.lowest), highest(bounds.highest);
   const glm::dvec3 middle = (lowest + highest) / 2.0, half = (highest - lowest) / 2.0;
-  Surface surface;
+  LitSurface surface;
   surface.center = glm::dvec3(modelview * glm::dvec4(middle, 1));
   const glm::dvec3 reach = glm::abs(glm::dvec3(modelview[0])) * half.x +
                            glm::abs(glm::dvec3(modelview[1])) * half.y +
@@ -94,7 +94,7 @@ double nearest_cosine(const Light& light, const glm::dvec3& to_center, double di
   return cosine * cosine_of_radius + std::sqrt(1 - cosine * cosine) * sine_of_radius;
 }
 
-bool reaches(const Light& light, const Surface& surface) {
+bool reaches(const Light& light, const LitSurface& surface) {
   const bool spot = is_spot(light);
   const bool attenuated = light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
   if (is_directional(light) || !(spot || attenuated)) return true;
@@ -177,7 +177,7 @@ DrawBounds bounds_of(const Context& context, const ListMesh& mesh) {
 LightMask reached_lights(const Context& context, const glm::dmat4& modelview,
                          const LinearPart& linear, const VertexLayout& layout,
                          const DrawBounds& bounds) {
-  const Surface surface = surface_of(context, modelview, linear, layout, bounds);
+  const LitSurface surface = surface_of(context, modelview, linear, layout, bounds);
   LightMask reached;
   const std::vector<Light>& lights = context.lighting.lights;
   for (std::size_t i = 0; i < lights.size(); ++i)

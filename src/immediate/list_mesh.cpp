@@ -16,6 +16,24 @@ constexpr double kRoundingOfUnits = 2e-7;
 
 }  // namespace
 
+void ListMesh::draw_runs() {
+  for (const PrimitiveRun& run : runs) {
+    const GLenum mode = core_mode(run.mode);
+    const bool indexed = !draws_without_indices(run.mode);
+    const auto first = static_cast<std::uint32_t>(indexed ? indices.size() : firsts.size());
+    if (draws.empty() || draws.back().mode != mode || draws.back().indexed != indexed)
+      draws.push_back({mode, indexed, first, 0});
+    if (indexed) {
+      append_indices(run, elements, 0, true, indices);
+      draws.back().count = static_cast<std::uint32_t>(indices.size()) - draws.back().first;
+    } else {
+      firsts.push_back(static_cast<GLint>(run.first));
+      counts.push_back(static_cast<GLsizei>(run.count));
+      ++draws.back().count;
+    }
+  }
+}
+
 void ListMesh::finish() {
   const VertexOffsets offsets = offsets_of(layout);
   const unsigned stride = offsets.stride;

@@ -9,6 +9,8 @@
 
 namespace legacy_gl {
 
+struct Surface;
+
 /// Begin/End pairs of a display list, ready to draw: no work a vertex when the list is called.
 /// Vertices that are alike are kept once where primitives are independent; strips and fans keep
 /// their own order.
@@ -42,6 +44,12 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   bool unit_normals = false;        ///< it has, and each is a unit vector as float32 rounds one
   bool tiny_normals = false;        ///< some may be too short for the driver (tiny_normals.hpp)
   float largest_color = 0;          ///< component of its colours, where it has them
+
+  /// Its triangles by the places where they meet, where somebody has looked at them already.
+  std::shared_ptr<const Surface> surface;
+
+  /// Makes `draws` of runs that are not indexed.
+  void draw_runs();
 
   /// Called once, when nothing joins the mesh any more.
   void finish();

@@ -262,7 +262,7 @@ void Recorder::draw_part(Context& context) {
   std::copy_n(cursor_ - rest_floats, rest_floats, kept.begin());
   const VertexLayout layout = layout_;
   end(context);
-  flush_pending(context);
+  if (!runs_.empty()) draw_part_of_batch(context);
   begin(context, mode_);
   if (rest) {
     set_layout(layout);
@@ -326,7 +326,7 @@ void Recorder::put_current(const Context& context, const VertexLayout& layout, f
 }
 
 void Recorder::flush_if_large(Context& context) {
-  if (recorded_floats() > kFlushFloats) flush_pending(context);
+  if (recorded_floats() > kFlushFloats) draw_part_of_batch(context);
 }
 
 void Recorder::end(Context& context) {
@@ -425,6 +425,23 @@ void Recorder::carry_wide_texcoords(Context& context, unsigned unit) {
   if (layout != layout_) widen(context, layout);
 }
 
+void Recorder::forget_part() {
+  goes_on_ = true;
+  joining_ = false;
+  runs_.clear();
+  elements_.clear();
+  cursor_ = storage_.get();
+}
+
+void Recorder::load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
+                    const PrimitiveRun* runs, std::size_t run_count) {
+  set_layout(layout);
+  cursor_ = storage_.get();
+  reserve(count);
+  cursor_ = std::copy_n(vertices, std::size_t{count} * offsets_.stride, cursor_);
+  runs_.assign(runs, runs + run_count);
+}
+
 void Recorder::clear() {
   if (tried_joining_) {
     // Three objects in a batch pay for the trouble; otherwise it is tried ever more rarely.
@@ -434,7 +451,7 @@ void Recorder::clear() {
     skip_ = backoff_;
     usual_materials_ = paid ? layout_.materials : MaterialMask{0};
   }
-  tried_joining_ = false;
+  tried_joining_ = goes_on_ = false;
   objects_ = object_first_ = first_untransformed_ = 0;
   object_run_ = 0;
   runs_.clear();

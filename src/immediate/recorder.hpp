@@ -28,7 +28,7 @@ struct PrimitiveRun {
 class Recorder {
  public:
   bool inside_begin_end() const { return inside_; }
-  bool has_pending() const { return !runs_.empty(); }
+  bool has_pending() const { return !runs_.empty() || goes_on_; }
   bool is_idle() const { return !has_pending() && !inside_; }
 
   void begin(legacy_gl_context& context, GLenum mode);
@@ -98,6 +98,13 @@ class Recorder {
   static void put_current(const legacy_gl_context& context, const VertexLayout& layout,
                           float* vertices, std::uint32_t count);
 
+  /// Forgets the vertices that it has, of a batch that goes on: they are drawn, or kept elsewhere
+  /// (RepeatedBatches).
+  void forget_part();
+  /// Takes these vertices in place of its own.
+  void load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
+            const PrimitiveRun* runs, std::size_t run_count);
+
   /// Draws the batch when it has become large.
   void flush_if_large(legacy_gl_context& context);
 
@@ -143,6 +150,7 @@ class Recorder {
   static constexpr std::uint32_t kAlike = 3;  ///< objects in a row before joining is tried
   std::uint32_t alike_ = 0;  ///< objects that differ in matrices and materials alone
   bool joining_ = false;
+  bool goes_on_ = false;  ///< vertices of the batch before these are forgotten
   bool tried_joining_ = false;
   std::uint32_t skip_ = 0;  ///< batches that are not to be tried
   std::uint32_t backoff_ = 0;

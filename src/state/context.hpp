@@ -105,6 +105,8 @@ void diagnose(Context& context, const std::string& message);
 /// Draws what is recorded, primitives or bitmaps; in selection it only hits. Every setter calls it
 /// before it stores a value that differs.
 void draw_pending(Context& context);
+/// The recorder is full: what it has is drawn, and more of the same state follows.
+void draw_part_of_batch(Context& context);
 inline void flush_pending(Context& context) {
   if (context.recorder.has_pending() || context.bitmaps_pending) draw_pending(context);
 }

@@ -11,7 +11,7 @@ namespace {
 SpeedVertex bumpy_sphere(double u, double v) {
   const double longitude = 2 * std::numbers::pi * u, latitude = std::numbers::pi * (v - 0.5);
   const auto point = [](double a, double b) {
-    const double radius = 1 + 0.05 * std::sin(9 * a) * std::sin(7 * b);
+    const double radius = 1 + 0.05 * std::sin(9 * a) * std::sin(6 * b);  // the poles are points
     return std::array<double, 3>{radius * std::cos(b) * std::cos(a), radius * std::sin(b),
                                  radius * std::cos(b) * std::sin(a)};
   };

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "immediate/list_mesh.hpp"
+
+namespace legacy_gl {
+
+/// The triangles of a mesh by the places where they meet.
+struct Surface {
+  /// A closed surface hides one side of its triangles from every eye outside it: what the eye meets
+  /// first is an outer side. `winding` says how outer sides are wound for that eye.
+  enum class Winding : std::uint8_t { kOpen, kCounterclockwise, kClockwise };
+
+  struct Corner {
+    std::uint32_t place = 0;
+    std::uint32_t vertex = 0;  ///< of the mesh; of those that are alike in everything the first
+  };
+
+  Winding winding = Winding::kOpen;
+  /// Vertices at one place are alike in everything that the mesh says of them: no edge shows.
+  bool smooth = false;
+  std::vector<glm::vec3> places;
+  std::vector<Corner> corners;  ///< three for each triangle, the provoking one last
+};
+
+/// The mesh has nothing but polygons. Closed are surfaces of which every part is seen whole from
+/// its middle (balls, boxes, cones and whatever is convex), each edge the way of two triangles
+/// there and back. Edges that miss each other by rounding alone count as one.
+Surface find_surface(const ListMesh& mesh);
+
+}  // namespace legacy_gl
