@@ -52,10 +52,6 @@ bool squaring_serves_any_color(const Context& context, float shininess) {
           shininess >= 32);
 }
 
-double largest_component(const glm::dvec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 /// When more kinds meet than a key holds, they become the three that serve all.
 std::uint8_t widest_kind(std::uint8_t kind) {
   constexpr std::uint8_t kTerms = kLightDiffuse | kLightSpecular;

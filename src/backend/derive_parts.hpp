@@ -32,8 +32,12 @@ inline glm::vec4 low(const glm::dvec3& v, double w) {
   return rest_of(glm::dvec4(v, w), finite(v, w));
 }
 
+inline double largest_component(const glm::dvec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 inline glm::dvec3 unit(const glm::dvec3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double largest = largest_component(v);
   if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);
   const glm::dvec3 scaled = v / largest;
   return scaled / glm::length(scaled);

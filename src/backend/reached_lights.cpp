@@ -18,9 +18,7 @@ constexpr double kInvisible = 1.0 / (1024 * 255);
 /// Room for the rounding of float32 in radii and cosines.
 constexpr double kMargin = 1e-4;
 
-double largest(const glm::vec4& color) {
-  return static_cast<double>(std::max({std::abs(color.r), std::abs(color.g), std::abs(color.b)}));
-}
+double largest(const glm::vec4& color) { return largest_component(rgb(color)); }
 
 /// The sphere around a draw, in eye coordinates, and the most that its surface makes of light.
 struct LitSurface {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 
 #include "benchmark/accuracy_variants.hpp"
+#include "benchmark/clock.hpp"
 #include "benchmark/heap.hpp"
 #include "oracle/single_vertex.hpp"
 
@@ -57,19 +57,6 @@ void measure_errors(const Arguments& arguments, const Variants& variants) {
       table << row << std::flush;
     }
   }
-}
-
-// Of the process: the driver's threads count.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void measure_times(const Arguments& arguments, const Variants& variants) {

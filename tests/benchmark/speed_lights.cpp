@@ -3,11 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <ostream>
 #include <vector>
 
+#include "benchmark/clock.hpp"
 #include "benchmark/speed_measure.hpp"
+#include "benchmark/speed_meshes.hpp"
 #include "support/contexts.hpp"
 
 namespace legacy_gl::test {
@@ -20,23 +21,6 @@ constexpr int kColumns = 20, kRows = 10;
 using Color = std::array<GLfloat, 4>;
 
 // 408 vertices.
-void draw_ball(const GlFunctions& gl, float radius) {
-  constexpr int kSlices = 16, kStacks = 12;
-  constexpr float kPi = 3.14159265F;
-  for (int stack = 0; stack < kStacks; ++stack) {
-    gl.Begin(GL_TRIANGLE_STRIP);
-    for (int slice = 0; slice <= kSlices; ++slice)
-      for (const int row : {stack + 1, stack}) {
-        const float b = kPi * (static_cast<float>(row) / kStacks - 0.5F);
-        const float a = 2 * kPi * static_cast<float>(slice) / kSlices;
-        const float x = std::cos(b) * std::cos(a), y = std::cos(b) * std::sin(a);
-        gl.Normal3f(x, y, std::sin(b));
-        gl.Vertex3f(radius * x, radius * y, radius * std::sin(b));
-      }
-    gl.End();
-  }
-}
-
 void set_up(const GlFunctions& gl, unsigned enabled) {
   gl.MatrixMode(GL_PROJECTION);
   gl.LoadIdentity();
@@ -67,7 +51,7 @@ void set_up(const GlFunctions& gl, unsigned enabled) {
     gl.Enable(light);
   }
   gl.NewList(1, GL_COMPILE);
-  draw_ball(gl, 0.4F);
+  draw_ball(gl, 0.4F, 16, 12);
   gl.EndList();
 }
 
@@ -92,20 +76,10 @@ legacy_gl_options options_of(legacy_gl_quality quality) {
 
 double time_frame(RenderContext& context) {
   context.make_current();
-  const auto now = [] {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double before = now();
+  const double before = cpu_seconds();
   draw_frame(context.gl);
   context.gl.Finish();
-  return now() - before;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  return cpu_seconds() - before;
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <ostream>
 
+#include "benchmark/clock.hpp"
 #include "support/contexts.hpp"
 
 namespace legacy_gl::test {
@@ -16,25 +16,13 @@ struct Times {
   double wall = 0;
 };
 
-double seconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 // Draws one frame, to the end.
 Times time_frame(RenderContext& context, const SpeedScene& scene) {
   context.make_current();
-  const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+  const double cpu = cpu_seconds(), wall = seconds(CLOCK_MONOTONIC);
   scene.frame(context.gl);
   context.gl.Finish();
-  return {seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu, seconds(CLOCK_MONOTONIC) - wall};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return {cpu_seconds() - cpu, seconds(CLOCK_MONOTONIC) - wall};
 }
 
 // The driver's own start does not count: each context draws an unlit triangle first.

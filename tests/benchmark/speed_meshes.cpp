@@ -1,5 +1,6 @@
 #include "benchmark/speed_meshes.hpp"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -75,6 +76,22 @@ const StripMesh& strip_mesh(std::size_t vertices) {
   const auto at = meshes.find(vertices);
   return at != meshes.end() ? at->second
                             : meshes.emplace(vertices, make_mesh(vertices)).first->second;
+}
+
+void draw_ball(const GlFunctions& gl, float radius, int slices, int stacks) {
+  constexpr float kPi = 3.14159265F;
+  for (int stack = 0; stack < stacks; ++stack) {
+    gl.Begin(GL_TRIANGLE_STRIP);
+    for (int slice = 0; slice <= slices; ++slice)
+      for (const int row : {stack + 1, stack}) {
+        const float b = kPi * (static_cast<float>(row) / static_cast<float>(stacks) - 0.5F);
+        const float a = 2 * kPi * static_cast<float>(slice) / static_cast<float>(slices);
+        const std::array n{std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a)};
+        gl.Normal3fv(n.data());
+        gl.Vertex3f(radius * n[0], radius * n[1], radius * n[2]);
+      }
+    gl.End();
+  }
 }
 
 }  // namespace legacy_gl::test

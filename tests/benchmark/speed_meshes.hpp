@@ -40,4 +40,7 @@ void draw_strips(const Gl& gl, const StripMesh& mesh) {
   }
 }
 
+// A sphere around the y axis, in strips.
+void draw_ball(const GlFunctions& gl, float radius, int slices, int stacks);
+
 }  // namespace legacy_gl::test

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "benchmark/speed_meshes.hpp"
 #include "benchmark/speed_scenes.hpp"
 
 namespace legacy_gl::test {
@@ -32,23 +33,8 @@ void draw_cube(const GlFunctions& gl, float half_edge) {
   gl.End();
 }
 
-// A sphere of 8 by 6: 96 triangles in strips.
-void draw_ball(const GlFunctions& gl, float radius) {
-  constexpr int kSlices = 8, kStacks = 6;
-  constexpr float kPi = 3.14159265F;
-  for (int stack = 0; stack < kStacks; ++stack) {
-    gl.Begin(GL_TRIANGLE_STRIP);
-    for (int slice = 0; slice <= kSlices; ++slice)
-      for (const int row : {stack + 1, stack}) {
-        const float b = kPi * (static_cast<float>(row) / kStacks - 0.5F);
-        const float a = 2 * kPi * static_cast<float>(slice) / kSlices;
-        const Corner n{std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a)};
-        gl.Normal3fv(n.data());
-        gl.Vertex3f(radius * n[0], radius * n[1], radius * n[2]);
-      }
-    gl.End();
-  }
-}
+// 96 triangles in strips.
+void draw_small_ball(const GlFunctions& gl, float radius) { draw_ball(gl, radius, 8, 6); }
 
 struct Object {
   Corner place;
@@ -175,8 +161,8 @@ std::vector<SpeedScene> object_scenes() {
   scenes.push_back(named(objects_scene(1000, draw_cube, true), "S4",
                          "1000 cubes from a list, each with its matrix and five glMaterialfv", 0.5,
                          0));
-  scenes.push_back(
-      named(objects_scene(1000, draw_ball, true), "S4b", "S4 with balls of 96 triangles", 0.5, 0));
+  scenes.push_back(named(objects_scene(1000, draw_small_ball, true), "S4b",
+                         "S4 with balls of 96 triangles", 0.5, 0));
   scenes.push_back(named(objects_scene(1000, draw_cube, false), "S4i", "S4 by glBegin", 0.5, 0));
   scenes.push_back(named(toggles_scene(500, random_toggles(24)), "S8",
                          "500 cubes, lights and modes toggled at random, 24 variants", 0.8, 0.1));

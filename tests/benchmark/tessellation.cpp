@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "benchmark/clock.hpp"
 #include "benchmark/heap.hpp"
 #include "support/contexts.hpp"
 
@@ -96,18 +96,6 @@ void frame(const GlFunctions& gl, GLuint list, GLenum model) {
   gl.ShadeModel(model);
   gl.CallList(list);
   gl.Finish();
-}
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 struct ImageError {
