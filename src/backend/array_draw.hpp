@@ -17,6 +17,7 @@ struct ArrayDraw {
   const void* elements =
       nullptr;  ///< an address, or an offset into the element buffer that is bound
   bool is_indexed() const { return element_type != 0; }
+  bool operator==(const ArrayDraw&) const = default;
 };
 
 /// The enabled arrays and the bound elements in memory, for as long as this lives: buffer objects

@@ -14,6 +14,7 @@
 #include "backend/program_cache.hpp"
 #include "backend/query_objects.hpp"
 #include "backend/raster.hpp"
+#include "backend/repeated_arrays.hpp"
 #include "backend/repeated_batches.hpp"
 #include "backend/stream_buffer.hpp"
 #include "backend/textures.hpp"
@@ -153,6 +154,7 @@ class Backend {
   MeshBuffers meshes_;
   SeenTriangles seen_triangles_;
   RepeatedBatches repeated_batches_;
+  RepeatedArrays repeated_arrays_;
   std::optional<FramebufferFacts> framebuffer_facts_;
   BufferArrays buffer_arrays_;
   RasterApplier raster_;

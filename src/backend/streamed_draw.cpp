@@ -6,6 +6,7 @@
 
 #include "backend/array_draw.hpp"
 #include "backend/backend.hpp"
+#include "backend/hidden_sides.hpp"
 #include "immediate/array_gather.hpp"
 #include "immediate/primitives.hpp"
 #include "immediate/tiny_normals.hpp"
@@ -85,10 +86,16 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
     layout.fields |= kFieldPositionW;
   layout.wide_texcoords |=
       static_cast<std::uint8_t>(wide_texcoord_arrays(readable.views()) & layout.texcoords);
+  const ArrayGather gather(context, readable.views(), layout);
+  if (transforms_as_shaders_ && draw.mode >= GL_TRIANGLES && !(layout.fields & kFieldPositionW) &&
+      shows_nearest_alone(context))
+    if (const auto mesh = repeated_arrays_.find(draw, layout, gather, elements, *range)) {
+      draw_mesh(context, *mesh);
+      return true;
+    }
   prepare(context, layout);
   if (!use_program(context, draw.mode == GL_POINTS, draw.count)) return true;
-  const std::optional<std::uint32_t> base =
-      stream_vertices(context, ArrayGather(context, readable.views(), layout), *range);
+  const std::optional<std::uint32_t> base = stream_vertices(context, gather, *range);
   if (!base) return false;
   bind_vertex_array(arrays_.find_or_build(layout, vertices_.name(), indices_.name()));
 

@@ -18,6 +18,7 @@ void read_elements(const ElementView& elements, std::vector<std::uint32_t>& valu
 
 struct ElementRange {
   std::uint32_t lowest = 0, highest = 0;
+  bool operator==(const ElementRange&) const = default;
 };
 ElementRange element_range(const ElementView& elements);
 

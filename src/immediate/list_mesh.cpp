@@ -19,9 +19,10 @@ constexpr double kRoundingOfUnits = 2e-7;
 void ListMesh::draw_runs() {
   for (const PrimitiveRun& run : runs) {
     const GLenum mode = core_mode(run.mode);
-    const bool indexed = !draws_without_indices(run.mode);
+    const bool indexed = run.indexed || !draws_without_indices(run.mode);
     const auto first = static_cast<std::uint32_t>(indexed ? indices.size() : firsts.size());
-    if (draws.empty() || draws.back().mode != mode || draws.back().indexed != indexed)
+    if (draws.empty() || draws.back().mode != mode || draws.back().indexed != indexed ||
+        (indexed && !joins_in_one_draw(mode)))
       draws.push_back({mode, indexed, first, 0});
     if (indexed) {
       append_indices(run, elements, 0, true, indices);

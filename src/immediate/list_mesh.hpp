@@ -48,7 +48,7 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   /// Its triangles by the places where they meet, where somebody has looked at them already.
   std::shared_ptr<const Surface> surface;
 
-  /// Makes `draws` of runs that are not indexed.
+  /// Makes `draws` of `runs`.
   void draw_runs();
 
   /// Called once, when nothing joins the mesh any more.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
@@ -183,6 +185,60 @@ TEST_F(RepeatedBatches, OtherStatesOfTheSameVerticesAreDrawnAsTheyShouldBe) {
   with(GL_FOG);
   with(GL_COLOR_MATERIAL);
   EXPECT_GT(frame({}), 0u);
+}
+
+// The ball by client arrays, as triangles of shared vertices.
+struct Arrays {
+  std::vector<float> vertices;  // normal, position
+  std::vector<GLuint> elements;
+
+  Arrays() {
+    for (int row = 0; row <= 80; ++row)
+      for (int slice = 0; slice <= kSlices; ++slice) {
+        const float b = std::numbers::pi_v<float> * (static_cast<float>(row) / 80 - 0.5F);
+        const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(slice) / kSlices;
+        for (int copy = 0; copy < 2; ++copy)
+          for (const float value :
+               {std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a)})
+            vertices.push_back(value);
+      }
+    for (GLuint row = 0; row < 80; ++row)
+      for (GLuint slice = 0; slice < kSlices; ++slice) {
+        const GLuint at = row * (kSlices + 1) + slice, above = at + kSlices + 1;
+        elements.insert(elements.end(), {at, at + 1, above + 1, above + 1, above, at});
+      }
+  }
+  void draw(const GlFunctions& gl) const {
+    gl.InterleavedArrays(GL_N3F_V3F, 0, vertices.data());
+    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(elements.size()), GL_UNSIGNED_INT,
+                    elements.data());
+  }
+};
+
+TEST_F(RepeatedBatches, ClientArraysAreComparedInEveryDraw) {
+  Arrays arrays;
+  const auto draw = [&arrays](const GlFunctions& gl) { arrays.draw(gl); };
+  EXPECT_EQ(frame_of(draw), 0u);
+  for (int i = 0; i < 5; ++i) frame_of(draw);
+  EXPECT_GT(frame_of(draw), kTriangles / 3);
+  // One vertex moves, then one element names another.
+  for (std::size_t k = 3; k < 6; ++k) arrays.vertices[6 * 5000 + k] *= 1.2F;
+  EXPECT_EQ(frame_of(draw), 0u);
+  for (int i = 0; i < 5; ++i) frame_of(draw);
+  EXPECT_GT(frame_of(draw), kTriangles / 3);
+  std::swap(arrays.elements[30000], arrays.elements[30001]);
+  EXPECT_EQ(frame_of(draw), 0u);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(frame_of(draw), 0u);  // a triangle is turned: not closed
+}
+
+TEST_F(RepeatedBatches, ArraysThatMoveInEveryFrameAreDrawnAsTheyAre) {
+  Arrays arrays;
+  for (int i = 1; i <= 20; ++i) {
+    arrays.vertices[6 * 5000 + 3] += 0.01F;
+    const std::uint64_t unseen = frame_of([&arrays](const GlFunctions& gl) { arrays.draw(gl); });
+    // Copied three times for nothing, they are not looked at any more.
+    EXPECT_TRUE(i <= 12 || unseen == 0) << "frame " << i;
+  }
 }
 
 TEST_F(RepeatedBatches, ManyOfThemOneAfterTheOther) {

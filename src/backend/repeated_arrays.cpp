@@ -1,0 +1,113 @@
+#include "backend/repeated_arrays.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "immediate/surface.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// A draw that was met so often is copied.
+constexpr unsigned kCopiesWhenMet = 3;
+/// What has other contents so often, one time after the other, is not looked at any more.
+constexpr unsigned kMostFailures = 3;
+constexpr std::size_t kMostEntries = 32;
+constexpr std::size_t kMostFloats = std::size_t{16} << 20;  ///< of one mesh
+
+std::size_t bytes_of(const ElementView& elements) {
+  return elements.count * std::size_t{type_size(elements.type)};
+}
+
+}  // namespace
+
+RepeatedArrays::Entry& RepeatedArrays::find_entry(const ArrayDraw& draw, const VertexLayout& layout,
+                                                  const ElementRange& range) {
+  auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.draw == draw && entry.layout == layout && entry.range == range;
+  });
+  if (at == entries_.end()) {
+    if (entries_.size() < kMostEntries) {
+      at = entries_.emplace(entries_.end());
+    } else {
+      at = std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+        return a.last_used < b.last_used;
+      });
+      *at = {};
+    }
+    at->draw = draw;
+    at->layout = layout;
+    at->range = range;
+  }
+  at->last_used = ++clock_;
+  return *at;
+}
+
+bool RepeatedArrays::is_unchanged(const Entry& entry, const ArrayGather& gather,
+                                  const ElementView& elements) {
+  if (entry.elements.size() != bytes_of(elements) ||
+      (elements.count &&
+       std::memcmp(entry.elements.data(), elements.data, entry.elements.size()) != 0))
+    return false;
+  block_.resize(ArrayGather::kBlockVertices * gather.stride());
+  const float* kept = entry.mesh->vertices.data();
+  const std::uint32_t count = entry.mesh->vertex_count();
+  for (std::uint32_t done = 0; done < count;) {
+    const std::uint32_t block = std::min(ArrayGather::kBlockVertices, count - done);
+    gather(entry.range.lowest + done, block, block_.data());
+    const std::size_t floats = block * gather.stride();
+    if (std::memcmp(block_.data(), kept, floats * sizeof(float)) != 0) return false;
+    kept += floats;
+    done += block;
+  }
+  return true;
+}
+
+/// Closed surfaces alone are kept; what is open counts as a failure for good.
+void RepeatedArrays::copy(Entry& entry, const ArrayGather& gather, const ElementView& elements) {
+  const ElementRange& range = entry.range;
+  const std::uint32_t vertices = range.highest - range.lowest + 1;
+  entry.failures = kMostFailures;
+  if (vertices * gather.stride() > kMostFloats) return;
+  auto mesh = std::make_shared<ListMesh>();
+  mesh->layout = entry.layout;
+  mesh->vertices.resize(vertices * gather.stride());
+  gather(range.lowest, vertices, mesh->vertices.data());
+  const bool indexed = entry.draw.is_indexed();
+  if (indexed) {
+    read_elements(elements, mesh->elements);
+    for (std::uint32_t& element : mesh->elements) element -= range.lowest;
+  }
+  mesh->runs.push_back({entry.draw.mode, 0, indexed ? elements.count : entry.draw.count, indexed});
+  mesh->finish();
+  auto surface = std::make_shared<Surface>(find_surface(*mesh));
+  if (surface->winding == Surface::Winding::kOpen) return;
+  mesh->surface = std::move(surface);
+  mesh->draw_runs();
+  entry.elements.assign(elements.data, elements.data + bytes_of(elements));
+  entry.mesh = std::move(mesh);
+  entry.failures = 0;
+}
+
+std::shared_ptr<ListMesh> RepeatedArrays::find(const ArrayDraw& draw, const VertexLayout& layout,
+                                               const ArrayGather& gather,
+                                               const ElementView& elements,
+                                               const ElementRange& range) {
+  Entry& entry = find_entry(draw, layout, range);
+  if (entry.failures >= kMostFailures) return nullptr;
+  if (!entry.mesh) {
+    if (++entry.seen >= kCopiesWhenMet) copy(entry, gather, elements);
+    return entry.mesh;
+  }
+  if (is_unchanged(entry, gather, elements)) {
+    entry.failures = 0;
+    return entry.mesh;
+  }
+  ++entry.failures;
+  entry.seen = 0;
+  entry.mesh.reset();
+  return nullptr;
+}
+
+}  // namespace legacy_gl
