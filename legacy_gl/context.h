@@ -74,8 +74,10 @@ typedef struct legacy_gl_options {
    * file there that is damaged, of another driver or of another version is ignored. The text is
    * copied. */
   const char* cache_directory;
-  size_t cache_bytes;      /**< what all files there may take, the oldest go first; 0: 32 MiB */
-  int accumulation_buffer; /**< 1: the context has an accumulation buffer for glAccum */
+  size_t cache_bytes;        /**< what all files there may take, the oldest go first; 0: 32 MiB */
+  int accumulation_buffer;   /**< 1: the context has an accumulation buffer for glAccum */
+  int keep_unseen_triangles; /**< 1: triangles that nothing shows are handed to the driver too, as
+                                for its own statistics; 0: llvmpipe is spared them */
 } legacy_gl_options;
 
 /** Counters since creation or the last reset. Sizes in bytes. */

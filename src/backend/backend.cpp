@@ -328,7 +328,7 @@ void Backend::draw_held(Context& context) {
 void Backend::draw_recorded(Context& context, bool last) {
   using Answer = RepeatedBatches::Answer;
   const Answer answer =
-      transforms_as_shaders_ ? repeated_batches_.take(context, last) : Answer::kDraw;
+      skips_unseen(context) ? repeated_batches_.take(context, last) : Answer::kDraw;
   if (answer == Answer::kComplete) draw_mesh(context, *repeated_batches_.mesh());
   if (answer == Answer::kDifferent) draw_held(context);
   if (answer == Answer::kDraw || answer == Answer::kDifferent) draw_batch(context);

@@ -107,6 +107,11 @@ class Backend {
                                           const Surface& surface);
   /// False when the mesh is to be drawn whole.
   bool draw_surface(Context& context, const ListMesh& mesh, MeshBuffers::Entry& buffers);
+  /// Triangles that cover no sample, or that others of their surface hide, are worth finding: the
+  /// driver draws on the CPU.
+  bool skips_unseen(const Context& context) const {
+    return transforms_as_shaders_ && !context.options.keep_unseen_triangles;
+  }
   void draw_batch(Context& context);
   void draw_held(Context& context);
   void prepare(Context& context, const VertexLayout& layout);

@@ -87,7 +87,7 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
   layout.wide_texcoords |=
       static_cast<std::uint8_t>(wide_texcoord_arrays(readable.views()) & layout.texcoords);
   const ArrayGather gather(context, readable.views(), layout);
-  if (transforms_as_shaders_ && draw.mode >= GL_TRIANGLES && !(layout.fields & kFieldPositionW) &&
+  if (skips_unseen(context) && draw.mode >= GL_TRIANGLES && !(layout.fields & kFieldPositionW) &&
       shows_nearest_alone(context))
     if (const auto mesh = repeated_arrays_.find(draw, layout, gather, elements, *range)) {
       draw_mesh(context, *mesh);

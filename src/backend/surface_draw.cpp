@@ -45,7 +45,7 @@ std::optional<SurfaceView> Backend::surface_view(Context& context, const ListMes
 }
 
 bool Backend::draw_surface(Context& context, const ListMesh& mesh, MeshBuffers::Entry& buffers) {
-  if (!transforms_as_shaders_ || mesh.vertex_count() < kWorthwhileVertices) return false;
+  if (!skips_unseen(context) || mesh.vertex_count() < kWorthwhileVertices) return false;
   if (buffers.draws < kLooksAtDraw && (++buffers.draws == kLooksAtDraw || mesh.surface)) {
     buffers.draws = kLooksAtDraw;
     auto surface = mesh.surface ? mesh.surface : std::make_shared<Surface>(find_surface(mesh));

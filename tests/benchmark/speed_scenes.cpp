@@ -160,6 +160,13 @@ std::vector<SpeedScene> speed_scenes() {
   list.frame = draw_list;
   scenes.push_back(named(list, "S3", "S1 as a display list", 0.8));
 
+  SpeedScene turning = list;
+  turning.frame = [](const GlFunctions& gl) {
+    gl.Rotatef(0.7F, 0.3F, 1, 0);
+    draw_list(gl);
+  };
+  scenes.push_back(named(turning, "S3t", "S3, turning: the view is new in every frame", 0));
+
   for (SpeedScene& scene : object_scenes()) scenes.push_back(std::move(scene));
 
   SpeedScene eight = list;

@@ -242,5 +242,18 @@ TEST_F(ClosedSurfaces, AListThatIsMadeAnewIsLookedAtAnew) {
   EXPECT_EQ(unseen(), 0u);
 }
 
+TEST(ClosedSurfacesOption, KeepsUnseenTriangles) {
+  legacy_gl_options options{};
+  options.keep_unseen_triangles = 1;
+  CoreContext context(kSize, kSize, PixelFormat::rgba8, options);
+  set_up(context.gl);
+  for (int i = 0; i < 5; ++i) context.gl.CallList(1);
+  legacy_gl_flush();
+  legacy_gl_statistics statistics;
+  legacy_gl_get_statistics(&statistics);
+  EXPECT_EQ(statistics.triangles_unseen, 0u);
+  EXPECT_GT(statistics.vertices, 0u);
+}
+
 }  // namespace
 }  // namespace legacy_gl::test
