@@ -64,7 +64,7 @@ LinearPart analyse(const glm::dmat3& matrix) {
     part.exact = largest_entry(part.angle_error) < kInvisible;
   }
   if (const double cofactor_size = largest_entry(part.cofactor); cofactor_size > 0)
-    part.cofactor *= std::exp2(-std::floor(std::log2(cofactor_size)));
+    part.cofactor *= std::exp2(-3 - std::floor(std::log2(cofactor_size)));
   return part;
 }
 

@@ -16,7 +16,8 @@ struct LinearPart {
   glm::dmat3 angle_error{0.0};  ///< scale^2 × inverse × inverse transpose - identity: what it lacks
   bool exact = true;            ///< angle_error is below what float32 shows
   glm::dmat3 inverse{1.0};      ///< zero when the matrix is singular
-  glm::dmat3 cofactor{1.0};     ///< determinant × inverse transpose, divided by a power of two
+  glm::dmat3 cofactor{1.0};     ///< determinant × inverse transpose, largest entry 1/8 to 1/4:
+                                ///< any normal times it is a number
   double determinant_sign = 1;
   glm::dmat3 inverse_transpose{1.0};  ///< zero when the matrix is singular
   double rescale_factor = 1;          ///< GL 2.1 spec 2.11.3, "f"

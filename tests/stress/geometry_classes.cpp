@@ -38,11 +38,18 @@ StressSample normals(Random& random) {
   const float length = longest ? random.magnitude(38.2f, 38.47f) : random.magnitude(-44, 38.47f);
   for (float& c : sample.vertex.normal_object) c *= length;
   sample.state.normalize = true;
+  // Half of them through a normal matrix.
+  if (random.coin())
+    sample.state.modelview =
+        loaded(times(random.rotation(),
+                     scale(double(random.uniform(0.5f, 2)), double(random.uniform(0.5f, 2)), 1)),
+               {0, 0, 0});
   return sample;
 }
 
 StressSample normals_not_normalized(Random& random) {
   StressSample sample = normals(random);
+  sample.state.modelview = identity_matrix;
   sample.state.normalize = false;
   return sample;
 }
