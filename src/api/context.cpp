@@ -102,11 +102,24 @@ void report_unbuilt(const char* name) {
 }
 
 void leave_matrices(Context& context) {
-  if (!context.recorder.has_pending()) return;
+  if (!context.recorder.has_pending() || context.recorder.all_lit()) return;
   // Selection takes vertices as they were given.
+  if (light_object(context)) return;
   if (context.selection.is_selecting() || !context.backend->transform_recorded(context))
     draw_pending(context);
 }
+
+bool light_object(Context& context) {
+  return !context.selection.is_selecting() && !context.bitmaps_pending &&
+         context.backend->light_recorded(context);
+}
+
+void leave_lighting(Context& context) {
+  if (context.recorder.all_lit() && !context.bitmaps_pending) return;
+  if (context.recorder.is_idle() || !light_object(context)) flush_pending(context);
+}
+
+bool stays_lit(Context& context) { return context.backend->stays_lit(context); }
 
 void draw_pending(Context& context) {
   if (context.recorder.inside_begin_end()) return;

@@ -50,7 +50,7 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles
 
 std::string Backend::program_source(Context& context) {
   flush_pending(context);
-  derived_.update(context, Recorder::relevant_layout(context), driver.dialect);
+  derive(context, Recorder::relevant_layout(context));
   const ProgramSource source = generate(derived_.key, driver.dialect);
   return source.vertex + "\n" + source.fragment;
 }
@@ -162,8 +162,14 @@ void Backend::stage_stale_blocks(Context& context) {
                     derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow), 0);
 }
 
+void Backend::derive(Context& context, const VertexLayout& layout, const DrawFacts& facts) {
+  unseen_by_lighting_ |= context.dirty;
+  context.dirty |= std::exchange(unseen_by_derived_, 0);
+  derived_.update(context, layout, driver.dialect, facts);
+}
+
 void Backend::prepare(Context& context, const VertexLayout& layout) {
-  derived_.update(context, layout, driver.dialect);
+  derive(context, layout);
   apply_derived(context);
 }
 
@@ -278,7 +284,9 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
 /// Of recorded vertices from `first` on.
 void Backend::enlarge_normals(Context& context, std::uint32_t first) {
   Recorder& recorder = context.recorder;
-  if (!context.transform.normalize_enabled || !(recorder.layout().fields & kFieldNormal)) return;
+  if (!context.transform.normalize_enabled ||
+      !(recorder.layout().fields & (kFieldNormal | kFieldLit)))
+    return;
   const std::size_t stride = recorder.offsets().stride;
   enlarge_tiny_normals(recorder.data() + first * stride + recorder.offsets().normal, stride,
                        recorder.vertex_count() - first);
@@ -287,14 +295,15 @@ void Backend::enlarge_normals(Context& context, std::uint32_t first) {
 void Backend::draw_batch(Context& context) {
   Recorder& recorder = context.recorder;
   if (recorder.runs().empty()) return;
-  if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
+  if (recorder.is_lit()) light_vertices(context);
+  else if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   else enlarge_normals(context, 0);
   if ((is_unfilled(context.raster.polygon) || widens_lines(context)) && draw_unfilled(context))
     return;
   DrawBounds bounds;
   DrawFacts facts;
   if (looks_at_reach(context) && find_bounds(context, bounds)) facts.bounds = &bounds;
-  derived_.update(context, recorder.layout(), driver.dialect, facts);
+  derive(context, recorder.layout(), facts);
   if (all_beyond_one_plane(derived_.transform.modelview_projection, recorder.data(),
                            recorder.vertex_count(), recorder.offsets().stride,
                            recorder.offsets().position_size == 4)) {

@@ -41,6 +41,12 @@ class Backend {
   /// batch. False when the batch is to be drawn instead.
   bool transform_recorded(Context& context);
 
+  /// Lights the recorder's last object, or what is recorded of it inside Begin/End, so that objects
+  /// of any lights, materials and matrices share a batch. False when that cannot be.
+  bool light_recorded(Context& context);
+  /// An object that is recorded now can be lit as the batch's others are.
+  bool stays_lit(Context& context);
+
   /// The mesh joins the recorder's batch, if it is small and that is worth it.
   bool join_mesh(Context& context, const ListMesh& mesh);
 
@@ -137,6 +143,13 @@ class Backend {
                        std::size_t room);
   void upload_staged();
   void bind_vertex_array(GLuint array);
+  /// Brings derived_ up to the state.
+  void derive(Context& context, const VertexLayout& layout, const DrawFacts& facts = {});
+  /// Brings lighting_ up to the state; false when vertices are not lit here in it.
+  bool derive_lighting(Context& context, const DrawFacts& facts);
+  bool joins_lit_objects(Context& context, const ListMesh& mesh);
+  void light_vertices(Context& context);
+  void join_lit_mesh(Context& context, const ListMesh& mesh);
   bool can_transform(Context& context);
   bool begin_transformed(Context& context);
   void transform_vertices(Context& context);
@@ -169,6 +182,9 @@ class Backend {
   PixelTexture pixel_texture_;
   AccumulationBuffer accumulation_;
   Derived derived_;
+  Derived lighting_;  ///< of objects that are lit here: derived_ draws them with a program without
+  /// What one of the two has taken of the context's dirty bits and the other has not seen yet.
+  std::uint32_t unseen_by_derived_ = 0, unseen_by_lighting_ = kDirtyAll;
   std::size_t uniform_alignment_ = 256;
   bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours
   bool thin_lines_ = false;             ///< the driver refuses wide ones

@@ -67,7 +67,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
   if (dirty & kDirtyKey || layout_changed) {
     key = ProgramKey{};
     key.textures = before.textures;
-    key.lit = context.lighting.enabled;
+    key.lit = context.lighting.enabled && !(layout.fields & kFieldLit);
     key.flat = context.lighting.shade_model == GL_FLAT;
     key.lighting_position = transformed && layout.fields & kFieldLightingPosition;
     key.secondary_from_vertex = (layout.fields & kFieldSecondaryColor) != 0;

@@ -46,7 +46,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const bool bounded = looks_at_reach(context);
   const DrawBounds bounds = bounded ? bounds_of(context, mesh) : DrawBounds{};
   if (bounded) facts.bounds = &bounds;
-  derived_.update(context, wanted, driver.dialect, facts);
+  derive(context, wanted, facts);
   if (is_outside(mesh, derived_.transform.modelview_projection)) {
     ++context.statistics.primitives_clipped;
     return;

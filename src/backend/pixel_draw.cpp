@@ -64,7 +64,7 @@ void Backend::draw_pixel_quads(Context& context, PixelSource source,
                                const RasterTextureCoordinates* coordinates) {
   const VertexLayout layout = pixel_layout();
   const std::size_t stride = offsets_of(layout).stride * sizeof(float);
-  derived_.update(context, Recorder::relevant_layout(context), driver.dialect);
+  derive(context, Recorder::relevant_layout(context));
   upload_uniforms(context);
   const auto count = static_cast<GLsizei>(vertices.size() * sizeof(float) / stride);
   ProgramKey key;

@@ -30,6 +30,11 @@ class ProgramCache {
   /// or has become worth it; until then a general one.
   Choice choose(const ProgramKey& key, std::uint64_t vertices, legacy_gl_statistics& statistics);
 
+  /// A key's first draws need not wait for its program: something stands in.
+  bool has_stand_ins() const {
+    return policy_ == LEGACY_GL_PROGRAMS_DEFAULT || policy_ == LEGACY_GL_PROGRAMS_GENERAL_FIRST;
+  }
+
   /// The specialised program's name; 0 when the driver refuses it, with the reason in error().
   GLuint find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics);
   const std::string& error() const { return linker_.error(); }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "backend/backend.hpp"
+#include "backend/float4.hpp"
 #include "immediate/tiny_normals.hpp"
 
 namespace legacy_gl {
@@ -49,53 +50,11 @@ bool Backend::can_transform(Context& context) {
   if (recorder.layout().fields & kFieldTransformed) return true;
   if (!transforms_as_shaders_) return false;
   if (looks_at_reach(context)) return false;  // each object has lights of its own
-  derived_.update(context, recorder.layout(), driver.dialect);
+  derive(context, recorder.layout());
   return reads_nothing_else(derived_.key);
 }
 
 namespace {
-
-/// Four floats at once; a compiler's extension that GCC and Clang share.
-using Float4 = float __attribute__((vector_size(16)));
-using Int4 = int __attribute__((vector_size(16)));
-
-Float4 load(const float* p) {
-  Float4 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-void store(float* p, const Float4& v) { std::memcpy(p, &v, sizeof v); }
-
-struct Columns {
-  Float4 c[4];
-};
-
-Columns columns(const glm::mat4& m) {
-  return {{load(&m[0][0]), load(&m[1][0]), load(&m[2][0]), load(&m[3][0])}};
-}
-
-/// The product as the shaders form it, operation by operation, so that positions agree to the bit.
-Float4 product(const Columns& m, float x, float y, float z, float w) {
-  return m.c[0] * x + m.c[1] * y + m.c[2] * z + m.c[3] * w;
-}
-
-/// Where vertices are to the view volume.
-struct ClipFlags {
-  Int4 all_above{-1, -1, -1, -1}, all_below{-1, -1, -1, -1}, any{};
-
-  void add(const Float4& clip) {
-    const Float4 w{clip[3], clip[3], clip[3], clip[3]};
-    const Int4 above = clip > w, below = clip < -w;
-    all_above &= above;
-    all_below &= below;
-    any |= above | below;
-  }
-  bool crosses() const { return any[0] || any[1] || any[2]; }
-  bool outside() const {
-    const Int4 all = all_above | all_below;
-    return all[0] || all[1] || all[2];
-  }
-};
 
 /// What the modelview and the projection do to a vertex.
 struct VertexTransform {
@@ -188,6 +147,10 @@ bool Backend::transform_recorded(Context& context) {
 bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   constexpr unsigned kCopied = kFieldNormal | kFieldColor | kFieldSecondaryColor;
+  if (joins_lit_objects(context, mesh)) {
+    join_lit_mesh(context, mesh);
+    return true;
+  }
   if (mesh.layout.fields & ~kCopied || mesh.layout.materials || mesh.layout.texcoords) return false;
   if (mesh.triangles.empty() || !recorder.joins_objects(context)) return false;
   const std::uint32_t count = mesh.vertex_count();

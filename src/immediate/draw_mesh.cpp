@@ -16,6 +16,8 @@ void record_mesh(Context& context, const ListMesh& mesh) {
   recorder.put_current(context, recorder.layout(), vertices, count);
   const VertexOffsets to = recorder.offsets(), from = offsets_of(mesh.layout);
   const auto both = static_cast<std::uint16_t>(recorder.layout().fields & mesh.layout.fields);
+  const bool has_normals =
+      mesh.layout.fields & kFieldNormal && recorder.layout().fields & (kFieldNormal | kFieldLit);
   const unsigned units = recorder.layout().texcoords & mesh.layout.texcoords;
   for (std::uint32_t i = 0; i < count; ++i) {
     float* const target = vertices + std::size_t{i} * to.stride;
@@ -25,7 +27,7 @@ void record_mesh(Context& context, const ListMesh& mesh) {
     };
     copy(0, 0, 3);
     if (to.position_size == 4) target[3] = 1;
-    if (both & kFieldNormal) copy(to.normal, from.normal, 3);
+    if (has_normals) copy(to.normal, from.normal, 3);
     if (both & kFieldColor) copy(to.color, from.color, 4);
     if (both & kFieldSecondaryColor) copy(to.secondary_color, from.secondary_color, 3);
     if (both & kFieldFogCoord) copy(to.fog_coord, from.fog_coord, 1);

@@ -24,7 +24,7 @@ float* put(float* at, const V& value, unsigned size) {
 
 /// Everything behind the position.
 float* put_fields(const Context& context, const VertexLayout& layout, float* at) {
-  if (layout.fields & kFieldNormal) at = put(at, context.current.normal, 3);
+  if (layout.fields & (kFieldNormal | kFieldLit)) at = put(at, context.current.normal, 3);
   if (layout.fields & kFieldColor) at = put(at, context.current.color, 4);
   if (layout.fields & kFieldSecondaryColor) at = put(at, context.current.secondary_color, 3);
   if (layout.fields & kFieldFogCoord) *at++ = context.current.fog_coordinate;
@@ -97,6 +97,7 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
 }
 
 void Recorder::start_batch(Context& context) {
+  if (is_lit() && !stays_lit(context)) draw_pending(context);
   if (has_pending()) return;
   if (context.bitmaps_pending) draw_pending(context);
   VertexLayout layout = relevant_layout(context);
@@ -109,7 +110,8 @@ void Recorder::start_batch(Context& context) {
 }
 
 void Recorder::note_object(const Context& context) {
-  const bool alike = !(context.dirty & ~std::uint32_t{kDirtyTransform | kDirtyMaterial});
+  constexpr std::uint32_t kOfObjects = kDirtyTransform | kDirtyMaterial;
+  const bool alike = !(context.dirty & ~kOfObjects);
   alike_ = alike ? std::min(alike_ + 1, kAlike) : 0;
 }
 
@@ -135,6 +137,21 @@ void Recorder::end_object(bool apart) {
     runs_.pop_back();
     object_run_ = runs_.size();
   }
+}
+
+void Recorder::become_lit(Context& context) {
+  VertexLayout lit;
+  lit.fields = kFieldTransformed | kFieldLit;
+  if (has_pending()) return widen(context, lit);
+  start_batch(context);
+  set_layout(lit);
+}
+
+float* Recorder::append_lit(std::uint32_t count) {
+  reserve(count);
+  float* const vertices = cursor_;
+  cursor_ += std::size_t{count} * offsets_.stride;
+  return vertices;
 }
 
 void Recorder::put_template(const Context& context, float* vertex) {
@@ -171,6 +188,7 @@ void Recorder::set_layout(const VertexLayout& layout) {
   offsets_ = offsets_of(layout);
   materials_cached_ = false;
   shape_ = Shape::kOther;
+  if (layout.fields == (kFieldTransformed | kFieldLit)) shape_ = Shape::kLit;
   if (layout.materials || layout.wide_texcoords || layout.texcoords > 1) return;
   if (layout.texcoords) {
     if (layout.fields == kFieldNormal) shape_ = Shape::kNormalAndTexcoord;
@@ -230,6 +248,12 @@ void Recorder::vertex(Context& context, float x, float y, float z) {
       position();
       cursor_ = put(vertex + 3, context.current.normal, 3);
       break;
+    case Shape::kLit:
+      position();
+      vertex[3] = 1;
+      put(vertex + 4, context.current.normal, 3);
+      cursor_ = vertex + 8;
+      break;
     case Shape::kColor:
       position();
       cursor_ = put(vertex + 3, context.current.color, 4);
@@ -255,6 +279,7 @@ void Recorder::vertex(Context& context, float x, float y, float z) {
 /// What is complete of a long glBegin(GL_TRIANGLES) and its like is drawn while it is being given:
 /// it is still in the processor's caches, and the memory stays bounded.
 void Recorder::draw_part(Context& context) {
+  if (is_lit()) leave_lighting(context);  // the rest keeps its colours
   const unsigned size = mode_ == GL_TRIANGLES ? 3 : mode_ == GL_LINES ? 2 : 1;
   const std::uint32_t rest = (vertex_count() - first_) % size;
   const std::size_t rest_floats = std::size_t{rest} * offsets_.stride;
@@ -268,6 +293,7 @@ void Recorder::draw_part(Context& context) {
     set_layout(layout);
     reserve(rest + 1);
     cursor_ = std::copy_n(kept.begin(), rest_floats, cursor_);
+    if (is_lit()) set_all_transformed();
   }
 }
 
@@ -428,6 +454,8 @@ void Recorder::carry_wide_texcoords(Context& context, unsigned unit) {
 void Recorder::forget_part() {
   goes_on_ = true;
   joining_ = false;
+  objects_ = object_first_ = first_untransformed_ = 0;
+  object_run_ = 0;
   runs_.clear();
   elements_.clear();
   cursor_ = storage_.get();

@@ -71,6 +71,14 @@ class Recorder {
   /// Vertices from this one on are not transformed yet, in a batch of kFieldTransformed.
   std::uint32_t first_untransformed() const { return first_untransformed_; }
   void set_all_transformed() { first_untransformed_ = vertex_count(); }
+  /// A batch of kFieldLit.
+  bool is_lit() const { return !is_idle() && layout_.fields & kFieldLit; }
+  /// One whose vertices neither matrices nor lights nor materials change any more.
+  bool all_lit() const { return is_lit() && !inside_ && first_untransformed_ == vertex_count(); }
+  /// The batch, an empty one or one of positions and normals, becomes one of kFieldLit.
+  void become_lit(legacy_gl_context& context);
+  /// Room for vertices that are lit already; follow with append_elements.
+  float* append_lit(std::uint32_t count);
   void add_fields(const legacy_gl_context& context, std::uint16_t fields);
   float* data() { return storage_.get(); }
   /// The properties may change without an end of the batch, which carries them.
@@ -101,6 +109,8 @@ class Recorder {
   /// Forgets the vertices that it has, of a batch that goes on: they are drawn, or kept elsewhere
   /// (RepeatedBatches).
   void forget_part();
+  /// Vertices of the batch are forgotten, and not all of them are drawn.
+  bool goes_on() const { return goes_on_; }
   /// Takes these vertices in place of its own.
   void load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
             const PrimitiveRun* runs, std::size_t run_count);
@@ -127,6 +137,7 @@ class Recorder {
   enum class Shape : std::uint8_t {
     kOther,
     kNormal,
+    kLit,
     kColor,
     kNormalAndColor,
     kNormalAndTexcoord,

@@ -23,6 +23,8 @@ enum VertexField : std::uint16_t {
   /// 3 floats: offsets in normalised device coordinates, of one of the lines that make a wide one
   /// (x, y) and of the polygon (z).
   kFieldLineOffset = 512,
+  /// Beside kFieldTransformed, alone: lit here. 4 floats, first the normal, in the end the colour.
+  kFieldLit = 1024,
 };
 
 struct VertexLayout {
@@ -64,6 +66,10 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
     offset = at;
     at += size;
   };
+  if (layout.fields & kFieldLit) {
+    take(offsets.normal, 4);
+    offsets.color = offsets.normal;
+  }
   if (layout.fields & kFieldNormal) take(offsets.normal, 3);
   if (layout.fields & kFieldColor) take(offsets.color, 4);
   if (layout.fields & kFieldSecondaryColor) take(offsets.secondary_color, 3);

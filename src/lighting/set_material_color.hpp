@@ -16,7 +16,7 @@ inline bool set_material_color(Context& context, GLenum face, GLenum pname, cons
   if (property > 3 || (property == 3 && pname != GL_EMISSION)) return false;
   if (face != GL_FRONT && face != GL_BACK) return false;
   if (context.lighting.color_material.enabled) return false;
-  if (!context.recorder.is_idle()) {
+  if (!context.recorder.is_idle() && !context.recorder.all_lit()) {
     if (!context.recorder.takes_materials(material_bit(face == GL_BACK, property))) return false;
     context.recorder.material_changed();
   }

@@ -23,7 +23,8 @@ Light* find_light(Context& context, GLenum light) {
 /// A light that is off changes nothing that is drawn; glEnable brings all of it up to date.
 template <typename T, typename U>
 void store(Context& context, const Light& light, T& stored, const U& value) {
-  if (context.lighting.enabled && light.enabled) assign(context, stored, value, kDirtyLights);
+  if (context.lighting.enabled && light.enabled)
+    assign_lighting(context, stored, value, kDirtyLights);
   else stored = value;
 }
 
@@ -116,13 +117,13 @@ void set_light_model(Context& context, GLenum pname, Floats4 values) {
   LightModel& model = context.lighting.model;
   switch (pname) {
     case GL_LIGHT_MODEL_AMBIENT:
-      assign(context, model.ambient, color_of(values), kDirtyMaterial);
+      assign_lighting(context, model.ambient, color_of(values), kDirtyMaterial);
       break;
     case GL_LIGHT_MODEL_LOCAL_VIEWER:
-      assign(context, model.local_viewer, values[0] != 0, kDirtyKey | kDirtyTransform);
+      assign_lighting(context, model.local_viewer, values[0] != 0, kDirtyKey | kDirtyTransform);
       break;
     case GL_LIGHT_MODEL_TWO_SIDE:
-      assign(context, model.two_side, values[0] != 0, kDirtyKey | kDirtyMaterial);
+      assign_lighting(context, model.two_side, values[0] != 0, kDirtyKey | kDirtyMaterial);
       break;
     case GL_LIGHT_MODEL_COLOR_CONTROL: {
       const bool separate = values[0] == static_cast<float>(GL_SEPARATE_SPECULAR_COLOR);
@@ -183,8 +184,11 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
   if (!changes) return;
   // Inside Begin/End the change is the vertices' from here on; outside, a batch that carries the
   // property anyway need not end.
-  if (context.recorder.inside_begin_end()) context.recorder.carry_materials(context, changes);
-  else if (context.recorder.has_pending() && !carry_between_objects(context, changes))
+  Recorder& recorder = context.recorder;
+  if (recorder.is_lit()) leave_lighting(context);
+  else if (recorder.inside_begin_end()) recorder.carry_materials(context, changes);
+  else if (recorder.has_pending() && !light_object(context) &&
+           !carry_between_objects(context, changes))
     flush_pending(context);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (changes & (1u << i))
@@ -225,7 +229,7 @@ void set_shade_model(Context& context, GLenum mode) {
 }
 
 void enable_light(Context& context, unsigned index, bool enabled) {
-  assign(context, context.lighting.lights[index].enabled, enabled, kDirtyLights);
+  assign_lighting(context, context.lighting.lights[index].enabled, enabled, kDirtyLights);
 }
 
 void enable_lighting(Context& context, bool enabled) {

@@ -191,10 +191,10 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
     case GL_LIGHTING: enable_lighting(context, enabled); return true;
     case GL_COLOR_MATERIAL: enable_color_material(context, enabled); return true;
     case GL_NORMALIZE:
-      assign(context, context.transform.normalize_enabled, enabled, kDirtyTransform);
+      assign_lighting(context, context.transform.normalize_enabled, enabled, kDirtyTransform);
       return true;
     case GL_RESCALE_NORMAL:
-      assign(context, context.transform.rescale_normal_enabled, enabled, kDirtyTransform);
+      assign_lighting(context, context.transform.rescale_normal_enabled, enabled, kDirtyTransform);
       return true;
     case GL_AUTO_NORMAL: context.evaluators.modes.auto_normal = enabled; return true;
     case GL_COLOR_SUM: assign(context, context.color_sum_enabled, enabled, kDirtyKey); return true;

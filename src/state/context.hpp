@@ -115,12 +115,32 @@ inline void flush_pending(Context& context) {
 /// transformed so that others can join them.
 void leave_matrices(Context& context);
 
+/// Lights the recorded object, a small one, so that nothing that lights it matters any more. False
+/// when the batch is to be drawn instead.
+bool light_object(Context& context);
+
+/// Before lights, the light model or a material change: what is recorded is lit or drawn.
+void leave_lighting(Context& context);
+
+/// The next object of a batch that is lit here can be lit so too.
+bool stays_lit(Context& context);
+
 /// The order of every setter: what was recorded under the old value is drawn, then the value is
 /// stored and its dirty bits raised. Returns *changed*.
 template <typename T, typename U>
 bool assign(Context& context, T& stored, const U& value, std::uint32_t dirty_bits) {
   if (stored == value) return false;
   flush_pending(context);
+  stored = value;
+  context.dirty |= dirty_bits;
+  return true;
+}
+
+/// The same for what lights vertices.
+template <typename T, typename U>
+bool assign_lighting(Context& context, T& stored, const U& value, std::uint32_t dirty_bits) {
+  if (stored == value) return false;
+  leave_lighting(context);
   stored = value;
   context.dirty |= dirty_bits;
   return true;

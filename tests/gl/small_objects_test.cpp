@@ -137,9 +137,35 @@ void perspective_modelview(const GlFunctions& gl) {
   gl.MultMatrixf(m.data());
 }
 
-TEST(SmallObjects, LookAsByMesaUnderEveryState) {
+// Small objects are lit on the processor where programs may have stand-ins, and by a program
+// otherwise.
+class SmallObjects : public testing::TestWithParam<legacy_gl_programs> {
+ protected:
+  SmallObjects() : ours(kSize, kSize, PixelFormat::rgba8, options()) {}
+
+  static legacy_gl_options options() {
+    legacy_gl_options options{};
+    options.programs = GetParam();
+    return options;
+  }
+
+  static bool lights_here() { return GetParam() == LEGACY_GL_PROGRAMS_GENERAL_FIRST; }
+
+  static legacy_gl_statistics statistics_now() {
+    legacy_gl_statistics statistics;
+    legacy_gl_get_statistics(&statistics);
+    return statistics;
+  }
+
+  CoreContext ours;
+};
+
+INSTANTIATE_TEST_SUITE_P(Programs, SmallObjects,
+                         testing::Values(LEGACY_GL_PROGRAMS_SPECIALISED,
+                                         LEGACY_GL_PROGRAMS_GENERAL_FIRST));
+
+TEST_P(SmallObjects, LookAsByMesaUnderEveryState) {
   MesaContext mesa(kSize, kSize);
-  CoreContext ours(kSize, kSize);
   constexpr std::array<Change, 10> kStates{
       nothing, lights_with_positions, two_sides_and_near_viewer, normalize, rescale,
       squeeze, track_colors,          blend_without_lighting,    flat,      separate_specular};
@@ -161,8 +187,7 @@ TEST(SmallObjects, LookAsByMesaUnderEveryState) {
 }
 
 // Drawn one by one, positions come from the vertex shader; in a batch, from the processor.
-TEST(SmallObjects, LieWhereTheyLieWhenDrawnOneByOne) {
-  CoreContext ours(kSize, kSize);
+TEST_P(SmallObjects, LieWhereTheyLieWhenDrawnOneByOne) {
   for (const Change state : {nothing, lights_with_positions, squeeze, perspective_modelview}) {
     const Drawing together = draw(ours, state, draw_mixed, true, nothing);
     const Drawing apart = draw(ours, state, draw_mixed, true, flush);
@@ -171,26 +196,22 @@ TEST(SmallObjects, LieWhereTheyLieWhenDrawnOneByOne) {
   }
 }
 
-TEST(SmallObjects, OfAListTakeFewDraws) {
-  CoreContext ours(kSize, kSize);
+TEST_P(SmallObjects, OfAListTakeFewDraws) {
   draw(ours, nothing, draw_list, false, nothing);
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
-  EXPECT_LE(statistics.batches, 5u);  // the first three are drawn alone
+  const legacy_gl_statistics statistics = statistics_now();
+  EXPECT_LE(statistics.batches, 5u);  // the first three are drawn alone, where a program lights
   EXPECT_LE(statistics.draws, 8u);
 }
 
-TEST(SmallObjects, OutsideOfTheViewAreDropped) {
-  CoreContext ours(kSize, kSize);
+TEST_P(SmallObjects, OutsideOfTheViewAreDropped) {
   draw(
       ours, [](const GlFunctions& gl) { gl.Translatef(0, 0, 50); }, draw_list, false, nothing);
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
+  const legacy_gl_statistics statistics = statistics_now();
   EXPECT_GE(statistics.primitives_clipped, kObjects - 2u);
   EXPECT_LE(statistics.vertices, 2 * 15u);
 }
 
-TEST(SmallObjects, ThatAStateParts) {
+TEST_P(SmallObjects, ThatAStateParts) {
   const Change toggle = [](const GlFunctions& gl) {
     gl.Enable(GL_LIGHT3);
     gl.Begin(GL_POINTS);
@@ -201,13 +222,12 @@ TEST(SmallObjects, ThatAStateParts) {
     gl.ShadeModel(GL_SMOOTH);
   };
   MesaContext mesa(kSize, kSize);
-  CoreContext ours(kSize, kSize);
   const Drawing expected = draw(mesa, nothing, draw_mixed, true, toggle);
   const Drawing actual = draw(ours, nothing, draw_mixed, true, toggle);
   EXPECT_TRUE(images_match(actual.image, expected.image, {.max_difference_steps = 1}, "parted"));
 }
 
-TEST(SmallObjects, WithVerticesOfOtherW) {
+TEST_P(SmallObjects, WithVerticesOfOtherW) {
   const Figure figure = [](const GlFunctions& gl) {
     gl.Begin(GL_TRIANGLES);
     gl.Normal3f(0, 0, 1);
@@ -216,11 +236,107 @@ TEST(SmallObjects, WithVerticesOfOtherW) {
     gl.Vertex4f(0, 0.2F, 0.1F, 1);
     gl.End();
   };
-  CoreContext ours(kSize, kSize);
   const Drawing together = draw(ours, lights_with_positions, figure, false, nothing);
   const Drawing apart = draw(ours, lights_with_positions, figure, false, flush);
   EXPECT_EQ(together.depths, apart.depths);
   EXPECT_TRUE(images_match(together.image, apart.image, {.max_difference_steps = 1}, "other-w"));
+}
+
+// Lights and modes that change between objects. The list is called under two-sided lighting too,
+// where each triangle takes the colours of the face that is seen.
+void set_modes(const GlFunctions& gl, int i, bool two_side) {
+  for (unsigned light = 0; light < 3; ++light) {
+    if ((i + static_cast<int>(light)) % 3) gl.Enable(GL_LIGHT0 + light);
+    else gl.Disable(GL_LIGHT0 + light);
+  }
+  const std::array<float, 4> scene{0.03F * static_cast<float>(i % 4), 0.05F, 0.1F, 1};
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, scene.data());
+  gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, i % 2);
+  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, two_side && i % 3 == 1);
+  gl.FrontFace(i < kObjects / 2 ? GL_CCW : GL_CW);
+  if (i % 5 < 2) gl.Enable(GL_NORMALIZE);
+  else gl.Disable(GL_NORMALIZE);
+  gl.Lightf(GL_LIGHT2, GL_SPOT_EXPONENT, i % 4 == 3 ? 2.5F : static_cast<float>(i % 4));
+  gl.Materialf(GL_FRONT, GL_SHININESS, i % 2 ? 7.5F : static_cast<float>(i));
+}
+
+Drawing draw_modes(RenderContext& context, Figure figure, bool two_side) {
+  static int object;
+  static bool both;
+  static Figure drawn;
+  object = 0;
+  both = two_side;
+  drawn = figure;
+  return draw(
+      context, lights_with_positions,
+      [](const GlFunctions& gl) {
+        set_modes(gl, object++, both);
+        drawn(gl);
+      },
+      false, nothing);
+}
+
+TEST_P(SmallObjects, OfLightsAndModesOfTheirOwn) {
+  MesaContext mesa(kSize, kSize);
+  for (const Figure figure : {draw_list, draw_mixed, draw_quads, draw_strip})
+    for (const bool two_side : {false, true}) {
+      const Drawing expected = draw_modes(mesa, figure, two_side);
+      const Drawing actual = draw_modes(ours, figure, two_side);
+      EXPECT_TRUE(images_match(actual.image, expected.image, {.max_difference_steps = 1}, "modes"));
+      EXPECT_EQ(actual.depths, expected.depths);
+      const legacy_gl_statistics statistics = statistics_now();
+      if (!lights_here()) {
+        EXPECT_EQ(statistics.objects_lit, 0u);
+      } else if (figure == draw_list) {
+        EXPECT_EQ(statistics.objects_lit, kObjects + 0u);
+        EXPECT_LE(statistics.batches, 3u);
+        EXPECT_LE(statistics.programs_compiled, 1u);
+      }
+    }
+}
+
+TEST_P(SmallObjects, WithMaterialsInsideBeginEnd) {
+  const Figure figure = [](const GlFunctions& gl) {
+    gl.Begin(GL_TRIANGLES);
+    for (int i = 0; i < 9; ++i) {
+      const std::array<float, 4> color{0.1F * static_cast<float>(i), 0.5F, 0.3F, 1};
+      if (i % 2) gl.Materialfv(GL_FRONT, GL_DIFFUSE, color.data());
+      vertex(gl, 0.3F * static_cast<float>(i % 2) - 0.15F, 0.1F * static_cast<float>(i / 2) - 0.2F,
+             0.1F * static_cast<float>(i % 3));
+    }
+    gl.End();
+  };
+  MesaContext mesa(kSize, kSize);
+  const Drawing expected = draw(mesa, lights_with_positions, figure, false, draw_strip);
+  const Drawing actual = draw(ours, lights_with_positions, figure, false, draw_strip);
+  EXPECT_TRUE(images_match(actual.image, expected.image, {.max_difference_steps = 1}, "inside"));
+  EXPECT_EQ(actual.depths, expected.depths);
+}
+
+// A long primitive in a batch that is lit here is drawn in parts.
+TEST_P(SmallObjects, BeforeALongOne) {
+  const Figure figure = [](const GlFunctions& gl) {
+    gl.Begin(GL_TRIANGLES);
+    for (int i = 0; i < 10000; ++i) {
+      const std::array<float, 4> color{0.0001F * static_cast<float>(i), 0.5F, 0.3F, 1};
+      if (i % 1000 == 1) gl.Materialfv(GL_FRONT, GL_DIFFUSE, color.data());
+      vertex(gl, 0.3F * static_cast<float>(i % 2) - 0.15F, 0.0001F * static_cast<float>(i) - 0.2F,
+             0.1F * static_cast<float>(i % 3));
+    }
+    gl.End();
+  };
+  const auto by = [&](RenderContext& context) {
+    context.recreate();
+    set_up_scene(context.gl);
+    context.gl.MatrixMode(GL_MODELVIEW);
+    draw_strip(context.gl);
+    context.gl.Rotatef(20, 0, 0, 1);
+    figure(context.gl);
+    return context.read_rgba8();
+  };
+  MesaContext mesa(kSize, kSize);
+  const Image expected = by(mesa), actual = by(ours);
+  EXPECT_TRUE(images_match(actual, expected, {.max_difference_steps = 1}, "long"));
 }
 
 }  // namespace

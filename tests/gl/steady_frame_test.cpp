@@ -52,6 +52,18 @@ TEST(SteadyFrame, OfTheBenchmarksScenesAllocatesNothing) {
   }
 }
 
+// As a program gets it that asks for nothing: small objects are lit on the processor.
+TEST(SteadyFrame, OfSmallObjectsWithStandInsAllocatesNothing) {
+  legacy_gl_options options{};
+  options.programs = LEGACY_GL_PROGRAMS_GENERAL_FIRST;
+  for (const SpeedScene& scene : speed_scenes()) {
+    if (scene.name != "S4" && scene.name != "S4b" && scene.name != "S4i" && scene.name != "S8")
+      continue;
+    CoreContext context(16, 16, PixelFormat::rgba8, options);
+    expect_no_allocations(context, scene.name, scene.prepare, scene.frame);
+  }
+}
+
 TEST(SteadyFrame, OnOpenGlEsAllocatesNothing) {
   for (const SpeedScene& scene : speed_scenes()) {
     if (scene.name != "S1" && scene.name != "S4" && scene.name != "S8") continue;

@@ -1,0 +1,222 @@
+// Small objects lit here, so that objects of any lights, materials, modes and matrices share a
+// draw: what they would wait for a program, and the driver for each change of state, costs more
+// than that.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "backend/backend.hpp"
+#include "backend/float4.hpp"
+#include "backend/vertex_lighting.hpp"
+#include "immediate/tiny_normals.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+constexpr VertexLayout kLitFrom{kFieldNormal, 0, 0, 0};
+constexpr unsigned kStride = 8;  // of a lit vertex: position and colour
+
+/// Vertices of one face on their way to be lit.
+class Chunk {
+ public:
+  static constexpr std::uint32_t kVertices = Recorder::kSmallObject;
+
+  void add(const float* position, const float* normal, float* color) {
+    LightingBlock& block = blocks_[count_ / LightingBlock::kVertices];
+    const std::uint32_t at = count_ % LightingBlock::kVertices;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      block.position[axis][at] = position[axis];
+      block.normal[axis][at] = normal[axis];
+    }
+    colors_[count_++] = color;
+  }
+
+  void light(const Derived& derived, unsigned face) {
+    const std::uint32_t whole = std::exchange(count_, 0);
+    for (std::uint32_t first = 0; first < whole; first += LightingBlock::kVertices) {
+      LightingBlock& block = blocks_[first / LightingBlock::kVertices];
+      const std::uint32_t count = std::min(whole - first, LightingBlock::kVertices);
+      for (unsigned axis = 0; axis < 3; ++axis)  // what is not there is lit like the last
+        for (std::uint32_t at = count; at < LightingBlock::kVertices; ++at) {
+          block.position[axis][at] = block.position[axis][count - 1];
+          block.normal[axis][at] = block.normal[axis][count - 1];
+        }
+      light_block(derived, face, block);
+      for (std::uint32_t at = 0; at < count; ++at)
+        for (unsigned c = 0; c < 4; ++c) colors_[first + at][c] = block.color[c][at];
+    }
+  }
+
+ private:
+  std::array<LightingBlock, kVertices / LightingBlock::kVertices> blocks_;
+  std::array<float*, kVertices> colors_;
+  std::uint32_t count_ = 0;
+};
+
+/// The vertices of a mesh that are drawn, by the face that they are lit for: in the order in which
+/// they are asked for.
+class Places {
+ public:
+  Places() {
+    for (auto& face : places_) face.fill(kNone);
+  }
+  std::uint32_t find(std::uint32_t vertex, unsigned face) {
+    std::uint32_t& place = places_[face][vertex];
+    if (place == kNone) {
+      place = count_++;
+      vertices_[place] = vertex << 1 | face;
+    }
+    return place;
+  }
+  std::uint32_t count() const { return count_; }
+  std::uint32_t vertex(std::uint32_t place) const { return vertices_[place] >> 1; }
+  unsigned face(std::uint32_t place) const { return vertices_[place] & 1; }
+
+ private:
+  static constexpr std::uint32_t kNone = ~0u;
+  std::array<std::array<std::uint32_t, Recorder::kSmallObject>, 2> places_;
+  std::array<std::uint32_t, 2 * Recorder::kSmallObject> vertices_;
+  std::uint32_t count_ = 0;
+};
+
+Columns to_clip(const Context& context) {
+  return columns(context.transform.projection.top().single *
+                 context.transform.modelview.top().single);
+}
+
+/// Where lighting finds a vertex that has a w. One at infinity is very far away.
+void divide_by_w(const float* position, float* to) {
+  constexpr float kFar = 1e15f;
+  const float scale = position[3] != 0 ? 1 / position[3] : kFar;
+  for (unsigned axis = 0; axis < 3; ++axis) to[axis] = position[axis] * scale;
+}
+
+/// Twice the area that the triangle of these clip coordinates has on the screen, but for a positive
+/// factor.
+double area(const float* a, const float* b, const float* c) {
+  const auto minor = [](const float* p, const float* q, unsigned i, unsigned j) {
+    return double{p[i]} * double{q[j]} - double{p[j]} * double{q[i]};
+  };
+  return double{a[0]} * minor(b, c, 1, 3) - double{a[1]} * minor(b, c, 0, 3) +
+         double{a[3]} * minor(b, c, 0, 1);
+}
+
+}  // namespace
+
+bool Backend::derive_lighting(Context& context, const DrawFacts& facts) {
+  if (!transforms_as_shaders_ || !context.lighting.enabled || !programs_.has_stand_ins() ||
+      Recorder::relevant_layout(context) != kLitFrom || looks_at_reach(context) ||
+      widens_lines(context))
+    return false;
+  unseen_by_derived_ |= context.dirty & ~std::uint32_t{kDirtyRaster};
+  context.dirty |= std::exchange(unseen_by_lighting_, 0) & ~std::uint32_t{kDirtyRaster};
+  lighting_.update(context, kLitFrom, driver.dialect, facts);
+  return lights_blocks(lighting_.key);
+}
+
+bool Backend::stays_lit(Context& context) {
+  return derive_lighting(context, {}) && !lighting_.key.two_side;
+}
+
+bool Backend::light_recorded(Context& context) {
+  Recorder& recorder = context.recorder;
+  if (!recorder.is_lit()) {
+    if (recorder.inside_begin_end() || recorder.goes_on() || recorder.layout() != kLitFrom ||
+        recorder.vertex_count() > Recorder::kSmallObject || !stays_lit(context))
+      return false;
+    recorder.become_lit(context);
+  }
+  light_vertices(context);
+  return true;
+}
+
+void Backend::light_vertices(Context& context) {
+  Recorder& recorder = context.recorder;
+  std::uint32_t at = recorder.first_untransformed();
+  const std::uint32_t end = recorder.vertex_count();
+  if (at == end) return;
+  enlarge_normals(context, at);
+  derive_lighting(context, {});
+  const Columns clip_matrix = to_clip(context);
+  ClipFlags flags;
+  Chunk chunk;
+  while (at < end) {
+    const std::uint32_t until = std::min(end, at + Chunk::kVertices);
+    for (; at < until; ++at) {
+      float* const vertex = recorder.data() + std::size_t{at} * kStride;
+      const Float4 clip = product(clip_matrix, vertex[0], vertex[1], vertex[2], vertex[3]);
+      flags.add(clip);
+      if (vertex[3] != 1) divide_by_w(vertex, vertex);
+      chunk.add(vertex, vertex + 4, vertex + 4);
+      store(vertex, clip);
+    }
+    chunk.light(lighting_, kFront);
+  }
+  recorder.set_all_transformed();
+  if (recorder.inside_begin_end()) return;
+  ++context.statistics.objects_lit;
+  recorder.end_object(flags.crosses());
+}
+
+bool Backend::joins_lit_objects(Context& context, const ListMesh& mesh) {
+  DrawFacts facts;
+  facts.unit_normals = mesh.unit_normals;
+  return !mesh.triangles.empty() && derive_lighting(context, facts);
+}
+
+/// After joins_lit_objects. A vertex that triangles of both faces share is there twice.
+void Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
+  Recorder& recorder = context.recorder;
+  if (recorder.has_pending() && !light_object(context)) flush_pending(context);
+  joins_lit_objects(context, mesh);
+  const std::uint32_t count = mesh.vertex_count();
+  const VertexOffsets from = offsets_of(mesh.layout);
+  const float* const vertices = mesh.vertices.data();
+  const Columns clip_matrix = to_clip(context);
+  ClipFlags flags;
+  std::array<float, 4 * Recorder::kSmallObject> clip;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float* const p = vertices + std::size_t{i} * from.stride;
+    const Float4 position = product(clip_matrix, p[0], p[1], p[2], 1);
+    flags.add(position);
+    store(&clip[4 * i], position);
+  }
+  if (flags.outside()) {
+    ++context.statistics.primitives_clipped;
+    return;
+  }
+  if (!recorder.has_pending()) recorder.become_lit(context);
+  const std::uint32_t base = recorder.vertex_count();
+  Places places;
+  const std::vector<std::uint32_t>& corners = mesh.triangles;
+  std::uint32_t* elements =
+      recorder.append_elements(context, GL_TRIANGLES, static_cast<std::uint32_t>(corners.size()));
+  const bool clockwise = context.raster.polygon.front_face == GL_CW;
+  for (std::size_t at = 0; at < corners.size(); at += 3) {
+    const std::uint32_t* const corner = &corners[at];
+    unsigned face = kFront;
+    if (lighting_.key.two_side) {
+      const double twice = area(&clip[4 * corner[0]], &clip[4 * corner[1]], &clip[4 * corner[2]]);
+      face = (clockwise ? -twice : twice) < 0 ? kBack : kFront;
+    }
+    for (unsigned i = 0; i < 3; ++i) *elements++ = base + places.find(corner[i], face);
+  }
+  float* vertex = recorder.append_lit(places.count());
+  const glm::vec3 current_normal = current_normal_to_draw(context);
+  std::array<Chunk, 2> chunks;
+  for (std::uint32_t i = 0; i < places.count(); ++i, vertex += kStride) {
+    const std::uint32_t index = places.vertex(i);
+    const float* const p = vertices + std::size_t{index} * from.stride;
+    const bool has_normal = mesh.layout.fields & kFieldNormal;
+    store(vertex, load(&clip[4 * index]));
+    chunks[places.face(i)].add(p, has_normal ? p + from.normal : &current_normal[0], vertex + 4);
+  }
+  for (const unsigned face : {kFront, kBack}) chunks[face].light(lighting_, face);
+  recorder.set_all_transformed();
+  recorder.end_object(flags.crosses());
+  ++context.statistics.objects_lit;
+  recorder.flush_if_large(context);
+}
+
+}  // namespace legacy_gl
