@@ -105,12 +105,35 @@ def first_table(scenes, groups):
     return out
 
 
-def growth_table(growth):
-    out = ["| what | number | ns of CPU each, ours | Mesa |", "|---|---|---|---|"]
+EMPTY = "S9e"  # a frame's clear and finish
+
+
+def empty_frame(groups, viewport):
+    rows = [r for key, rows in groups.items() if key[0] == EMPTY and key[2:] == (viewport, "steady") for r in rows]
+    return [median(rows, f"{side}_cpu_ms") if rows else 0 for side in ("ours", "mesa")]
+
+
+def calls_table(scenes, groups):
+    """S9 without what a frame costs besides."""
+    out = ["| scene | goal | of Mesa's | ns of CPU a frame's calls, ours / Mesa |", "|---|---|---|---|"]
+    empty = empty_frame(groups, 256)
+    for scene in scenes:
+        rows = [r for key, rows in groups.items() if key[0] == scene.name and key[2:] == (256, "steady") for r in rows]
+        if rows and scene.name.startswith("S9") and scene.name != EMPTY:
+            ours, mesa = (median(rows, f"{side}_cpu_ms") - less for side, less in zip(("ours", "mesa"), empty))
+            out.append(f"| {scene.name} | {verdict(ours / mesa, scene.goal_steady)} | {ours / mesa:.2f} | "
+                       f"{1e6 * ours:.3g} / {1e6 * mesa:.3g} |")
+    return out
+
+
+def growth_table(growth, groups):
+    out = ["| what | number | ns of CPU each, ours | Mesa | less an empty frame, ours | Mesa |", "|---|---|---|---|---|---|"]
+    empty = empty_frame(groups, 16)
     for (scene, units, _, frame), rows in sorted(growth.items()):
         if frame == "steady":
             ours, mesa = (1e6 * median(rows, f"{side}_cpu_ms") / units for side in ("ours", "mesa"))
-            out.append(f"| {scene} | {units} | {ours:.0f} | {mesa:.0f} |")
+            less = [whole - 1e6 * frame_ms / units for whole, frame_ms in zip((ours, mesa), empty)]
+            out.append(f"| {scene} | {units} | {ours:.0f} | {mesa:.0f} | {less[0]:.0f} | {less[1]:.0f} |")
     return out
 
 
@@ -162,7 +185,8 @@ def main():
             "", "## First frames", "",
             "Programs are compiled in it; the driver's cache on disk is off.", "", *first_table(scenes, groups), "",
             *lights_lines(results),
-            "## Growth", "", *growth_table(growth), ""]
+            "## Calls without their frame", "", "S9 less S9e.", "", *calls_table(scenes, groups), "",
+            "## Growth", "", *growth_table(growth, groups), ""]
     notes = docs / "performance_notes.md"
     if notes.exists():
         text += [notes.read_text().rstrip(), ""]

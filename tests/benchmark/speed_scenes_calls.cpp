@@ -71,6 +71,9 @@ void matrices(const GlFunctions& gl) {
 
 std::vector<SpeedScene> call_scenes() {
   std::vector<SpeedScene> scenes;
+  scenes.push_back(call_scene("S9e", "what S9 has besides its calls: clear, one triangle, finish",
+                              [](const GlFunctions&) {}));
+  scenes.back().goal_steady = 0;
   scenes.push_back(call_scene("S9v", "a million glColor, glNormal, glVertex of a clipped primitive",
                               clipped_vertices));
   scenes.push_back(call_scene("S9m", "100,000 glMaterialfv", materials));
