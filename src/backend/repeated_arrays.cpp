@@ -13,36 +13,12 @@ namespace {
 constexpr unsigned kCopiesWhenMet = 3;
 /// What has other contents so often, one time after the other, is not looked at any more.
 constexpr unsigned kMostFailures = 3;
-constexpr std::size_t kMostEntries = 32;
-constexpr std::size_t kMostFloats = std::size_t{16} << 20;  ///< of one mesh
 
 std::size_t bytes_of(const ElementView& elements) {
   return elements.count * std::size_t{type_size(elements.type)};
 }
 
 }  // namespace
-
-RepeatedArrays::Entry& RepeatedArrays::find_entry(const ArrayDraw& draw, const VertexLayout& layout,
-                                                  const ElementRange& range) {
-  auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return entry.draw == draw && entry.layout == layout && entry.range == range;
-  });
-  if (at == entries_.end()) {
-    if (entries_.size() < kMostEntries) {
-      at = entries_.emplace(entries_.end());
-    } else {
-      at = std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-        return a.last_used < b.last_used;
-      });
-      *at = {};
-    }
-    at->draw = draw;
-    at->layout = layout;
-    at->range = range;
-  }
-  at->last_used = ++clock_;
-  return *at;
-}
 
 bool RepeatedArrays::is_unchanged(const Entry& entry, const ArrayGather& gather,
                                   const ElementView& elements) {
@@ -69,7 +45,7 @@ void RepeatedArrays::copy(Entry& entry, const ArrayGather& gather, const Element
   const ElementRange& range = entry.range;
   const std::uint32_t vertices = range.highest - range.lowest + 1;
   entry.failures = kMostFailures;
-  if (vertices * gather.stride() > kMostFloats) return;
+  if (vertices * gather.stride() > RecentEntries<Entry>::kMostFloats) return;
   auto mesh = std::make_shared<ListMesh>();
   mesh->layout = entry.layout;
   mesh->vertices.resize(vertices * gather.stride());
@@ -88,13 +64,20 @@ void RepeatedArrays::copy(Entry& entry, const ArrayGather& gather, const Element
   entry.elements.assign(elements.data, elements.data + bytes_of(elements));
   entry.mesh = std::move(mesh);
   entry.failures = 0;
+  entries_.make_room();
 }
 
 std::shared_ptr<ListMesh> RepeatedArrays::find(const ArrayDraw& draw, const VertexLayout& layout,
                                                const ArrayGather& gather,
                                                const ElementView& elements,
                                                const ElementRange& range) {
-  Entry& entry = find_entry(draw, layout, range);
+  Entry fresh;
+  fresh.draw = draw;
+  fresh.layout = layout;
+  fresh.range = range;
+  Entry& entry = entries_.find_or_add(
+      [&](const Entry& e) { return e.draw == draw && e.layout == layout && e.range == range; },
+      fresh);
   if (entry.failures >= kMostFailures) return nullptr;
   if (!entry.mesh) {
     if (++entry.seen >= kCopiesWhenMet) copy(entry, gather, elements);

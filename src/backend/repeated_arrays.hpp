@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/array_draw.hpp"
+#include "backend/recent_entries.hpp"
 #include "immediate/array_gather.hpp"
 #include "immediate/list_mesh.hpp"
 
@@ -34,12 +35,10 @@ class RepeatedArrays {
     std::vector<std::byte> elements;
   };
 
-  Entry& find_entry(const ArrayDraw& draw, const VertexLayout& layout, const ElementRange& range);
   bool is_unchanged(const Entry& entry, const ArrayGather& gather, const ElementView& elements);
-  static void copy(Entry& entry, const ArrayGather& gather, const ElementView& elements);
+  void copy(Entry& entry, const ArrayGather& gather, const ElementView& elements);
 
-  std::uint64_t clock_ = 0;
-  std::vector<Entry> entries_;
+  RecentEntries<Entry> entries_;
   std::vector<float> block_;
 };
 

@@ -17,8 +17,6 @@ constexpr std::uint32_t kWorthwhileVertices = 1024;
 constexpr unsigned kCopiesWhenMet = 3;
 /// What goes on otherwise so often, one time after the other, is not looked at any more.
 constexpr unsigned kMostFailures = 3;
-constexpr std::size_t kMostEntries = 32;
-constexpr std::size_t kMostFloats = std::size_t{16} << 20;  ///< of one mesh
 /// So many vertices at each end of a part tell it from others.
 constexpr std::uint32_t kTellingVertices = 32;
 
@@ -48,25 +46,12 @@ std::uint64_t hash_of(const Recorder& recorder) {
 
 }  // namespace
 
-RepeatedBatches::Entry& RepeatedBatches::find(std::uint64_t hash) {
-  ++clock_;
-  auto at = std::find_if(entries_.begin(), entries_.end(),
-                         [hash](const Entry& entry) { return entry.hash == hash; });
-  if (at == entries_.end() && entries_.size() < kMostEntries) {
-    at = entries_.emplace(entries_.end());
-  } else if (at == entries_.end()) {
-    at = std::min_element(entries_.begin(), entries_.end(),
-                          [](const Entry& a, const Entry& b) { return a.last_used < b.last_used; });
-    *at = {};
-  }
-  at->hash = hash;
-  at->last_used = clock_;
-  return *at;
-}
-
 RepeatedBatches::Phase RepeatedBatches::begin(const Context& context) {
   if (!is_worthwhile(context)) return Phase::kNone;
-  entry_ = &find(hash_of(context.recorder));
+  Entry fresh;
+  fresh.hash = hash_of(context.recorder);
+  entry_ =
+      &entries_.find_or_add([&](const Entry& entry) { return entry.hash == fresh.hash; }, fresh);
   if (entry_->failures >= kMostFailures) {
     entry_->mesh.reset();
     return Phase::kIgnoring;
@@ -109,7 +94,8 @@ RepeatedBatches::Answer RepeatedBatches::compare(const Context& context, bool la
 void RepeatedBatches::copy(const Context& context, bool last) {
   const Recorder& recorder = context.recorder;
   const std::size_t floats = recorder.vertex_count() * std::size_t{recorder.offsets().stride};
-  if (copied_->layout != recorder.layout() || copied_->vertices.size() + floats > kMostFloats) {
+  if (copied_->layout != recorder.layout() ||
+      copied_->vertices.size() + floats > RecentEntries<Entry>::kMostFloats) {
     ++entry_->failures;
     phase_ = Phase::kIgnoring;
     return;
@@ -130,6 +116,7 @@ void RepeatedBatches::copy(const Context& context, bool last) {
   copied_->surface = std::move(surface);
   copied_->draw_runs();
   entry_->mesh = std::move(copied_);
+  entries_.make_room();
 }
 
 RepeatedBatches::Answer RepeatedBatches::take(const Context& context, bool last) {

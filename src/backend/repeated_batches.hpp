@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "backend/recent_entries.hpp"
 #include "immediate/list_mesh.hpp"
 #include "state/context.hpp"
 
@@ -47,15 +48,13 @@ class RepeatedBatches {
   Phase begin(const Context& context);
   Answer compare(const Context& context, bool last);
   void copy(const Context& context, bool last);
-  Entry& find(std::uint64_t hash);
 
   Phase phase_ = Phase::kNone;
   Entry* entry_ = nullptr;
   std::shared_ptr<ListMesh> copied_;
   std::uint32_t vertices_ = 0;  ///< of the mesh, compared so far
   std::size_t runs_ = 0;
-  std::uint64_t clock_ = 0;
-  std::vector<Entry> entries_;
+  RecentEntries<Entry> entries_;
 };
 
 }  // namespace legacy_gl

@@ -241,6 +241,20 @@ TEST_F(RepeatedBatches, ArraysThatMoveInEveryFrameAreDrawnAsTheyAre) {
   }
 }
 
+// Of more figures than are remembered, each is drawn all the same.
+TEST_F(RepeatedBatches, MoreThanAreRemembered) {
+  for (int round = 0; round < 4; ++round)
+    for (int i = 0; i < 40; ++i)
+      frame_of([i](const GlFunctions& gl) {
+        gl.Normal3f(0, 0, 1);
+        gl.Begin(GL_TRIANGLE_STRIP);
+        for (int k = 0; k < 1100; ++k)
+          gl.Vertex3f(static_cast<float>(k) / 600 - 0.9F, k % 2 ? 1.0F : -1.0F,
+                      0.02F * static_cast<float>(i));
+        gl.End();
+      });
+}
+
 TEST_F(RepeatedBatches, ManyOfThemOneAfterTheOther) {
   const auto balls = [](const GlFunctions& gl) {
     for (int i = 0; i < 3; ++i) {
