@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <random>
 #include <utility>
 
@@ -15,21 +17,31 @@ namespace {
 using Color = std::array<GLfloat, 4>;
 using Corner = std::array<GLfloat, 3>;
 
-// A cube of 12 triangles, in the scale of the objects.
-void draw_cube(const GlFunctions& gl, float half_edge) {
+// The corners of a cube of 12 triangles, seen from outside counterclockwise.
+template <typename Put>
+void for_each_corner(float half_edge, Put put) {
   constexpr std::array<Corner, 6> kNormals{Corner{1, 0, 0},  Corner{-1, 0, 0}, Corner{0, 1, 0},
                                            Corner{0, -1, 0}, Corner{0, 0, 1},  Corner{0, 0, -1}};
-  gl.Begin(GL_TRIANGLES);
   for (const Corner& n : kNormals) {
-    const Corner u{n[1], n[2], n[0]}, v{n[2], n[0], n[1]};
-    gl.Normal3fv(n.data());
+    const Corner v{n[1], n[2], n[0]};
+    const Corner u{v[1] * n[2] - v[2] * n[1], v[2] * n[0] - v[0] * n[2], v[0] * n[1] - v[1] * n[0]};
     for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}}) {
       Corner p{};
       for (std::size_t i = 0; i < 3; ++i)
         p[i] = half_edge * (n[i] + static_cast<float>(a) * u[i] + static_cast<float>(b) * v[i]);
-      gl.Vertex3fv(p.data());
+      put(n, p);
     }
   }
+}
+
+// In the scale of the objects, a normal a face.
+void draw_cube(const GlFunctions& gl, float half_edge) {
+  gl.Begin(GL_TRIANGLES);
+  int corner = 0;
+  for_each_corner(half_edge, [&](const Corner& n, const Corner& p) {
+    if (corner++ % 6 == 0) gl.Normal3fv(n.data());
+    gl.Vertex3fv(p.data());
+  });
   gl.End();
 }
 
@@ -93,6 +105,35 @@ SpeedScene objects_scene(std::size_t count, Figure figure, bool from_list) {
     }
   };
   scene.units = static_cast<double>(count);
+  return scene;
+}
+
+// What S4 is without its calls, its materials and its light: the same triangles in one list, one
+// colour a cube. Mesa's time for it is what drawing them costs anyone.
+SpeedScene triangles_alone(std::size_t count, bool culled) {
+  SpeedScene scene;
+  scene.prepare = [objects = random_objects(count), culled](const GlFunctions& gl) {
+    set_up_view(gl);
+    if (culled) gl.Enable(GL_CULL_FACE);
+    gl.NewList(1, GL_COMPILE);
+    gl.Begin(GL_TRIANGLES);
+    for (const Object& object : objects) {
+      const glm::mat4 matrix =
+          glm::rotate(glm::translate(glm::mat4(1), glm::make_vec3(object.place.data())),
+                      glm::radians(object.degrees), glm::vec3(0.3F, 0.5F, 0.8F));
+      gl.Color3fv(object.material[1].data());
+      for_each_corner(0.03F, [&](const Corner&, const Corner& p) {
+        const glm::vec3 placed(matrix * glm::vec4(glm::make_vec3(p.data()), 1));
+        gl.Vertex3fv(&placed[0]);
+      });
+    }
+    gl.End();
+    gl.EndList();
+  };
+  scene.frame = [](const GlFunctions& gl) {
+    clear_frame(gl);
+    gl.CallList(1);
+  };
   return scene;
 }
 
@@ -164,6 +205,10 @@ std::vector<SpeedScene> object_scenes() {
   scenes.push_back(named(objects_scene(1000, draw_small_ball, true), "S4b",
                          "S4 with balls of 96 triangles", 0.5, 0));
   scenes.push_back(named(objects_scene(1000, draw_cube, false), "S4i", "S4 by glBegin", 0.5, 0));
+  scenes.push_back(named(triangles_alone(1000, false), "S4f",
+                         "the triangles of S4 alone: a list, no light", 0, 0));
+  scenes.push_back(
+      named(triangles_alone(1000, true), "S4g", "S4f with back faces culled by glCullFace", 0, 0));
   scenes.push_back(named(toggles_scene(500, random_toggles(24)), "S8",
                          "500 cubes, lights and modes toggled at random, 24 variants", 0.8, 0.1));
   std::vector<Toggle> masks;
