@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "backend/backend.hpp"
-#include "backend/float4.hpp"
 #include "backend/vertex_lighting.hpp"
+#include "immediate/float4.hpp"
 #include "immediate/tiny_normals.hpp"
 
 namespace legacy_gl {

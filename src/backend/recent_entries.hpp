@@ -9,6 +9,11 @@
 
 namespace legacy_gl {
 
+/// A draw that was met so often is copied.
+inline constexpr unsigned kCopiesWhenMet = 3;
+/// What goes on otherwise so often, one time after the other, is not looked at any more.
+inline constexpr unsigned kMostFailures = 3;
+
 /// What is remembered of draws that may come again. Each entry has a `mesh`, or none yet, and
 /// `last_used`. Entries and what their meshes take are bounded: the least recently used go first.
 template <typename Entry>

@@ -9,11 +9,6 @@ namespace legacy_gl {
 
 namespace {
 
-/// A draw that was met so often is copied.
-constexpr unsigned kCopiesWhenMet = 3;
-/// What has other contents so often, one time after the other, is not looked at any more.
-constexpr unsigned kMostFailures = 3;
-
 std::size_t bytes_of(const ElementView& elements) {
   return elements.count * std::size_t{type_size(elements.type)};
 }

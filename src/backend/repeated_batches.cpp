@@ -11,12 +11,6 @@ namespace legacy_gl {
 
 namespace {
 
-/// Fewer vertices are not worth a look.
-constexpr std::uint32_t kWorthwhileVertices = 1024;
-/// A part that was met so often is copied.
-constexpr unsigned kCopiesWhenMet = 3;
-/// What goes on otherwise so often, one time after the other, is not looked at any more.
-constexpr unsigned kMostFailures = 3;
 /// So many vertices at each end of a part tell it from others.
 constexpr std::uint32_t kTellingVertices = 32;
 
@@ -25,7 +19,7 @@ bool is_worthwhile(const Context& context) {
   const Recorder& recorder = context.recorder;
   const VertexLayout& layout = recorder.layout();
   constexpr unsigned kKept = kFieldNormal | kFieldColor | kFieldSecondaryColor | kFieldFogCoord;
-  if (recorder.vertex_count() < kWorthwhileVertices || layout.fields & ~kKept) return false;
+  if (recorder.vertex_count() < kWorthwhileSurface || layout.fields & ~kKept) return false;
   if (layout != Recorder::relevant_layout(context) || !shows_nearest_alone(context)) return false;
   const std::vector<PrimitiveRun>& runs = recorder.runs();
   return std::all_of(runs.begin(), runs.end(), [](const PrimitiveRun& run) {

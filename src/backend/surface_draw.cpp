@@ -1,6 +1,4 @@
 // Large meshes over a driver that draws on the CPU: only the triangles that may be seen.
-#include <algorithm>
-
 #include "backend/backend.hpp"
 #include "backend/hidden_sides.hpp"
 #include "state/framebuffer.hpp"
@@ -9,8 +7,6 @@ namespace legacy_gl {
 
 namespace {
 
-/// Fewer vertices are not worth a list of triangles of their own.
-constexpr std::uint32_t kWorthwhileVertices = 1024;
 /// The draw at which a mesh is looked at: what is drawn once or twice does not pay for it.
 constexpr unsigned kLooksAtDraw = 3;
 
@@ -45,7 +41,7 @@ std::optional<SurfaceView> Backend::surface_view(Context& context, const ListMes
 }
 
 bool Backend::draw_surface(Context& context, const ListMesh& mesh, MeshBuffers::Entry& buffers) {
-  if (!skips_unseen(context) || mesh.vertex_count() < kWorthwhileVertices) return false;
+  if (!skips_unseen(context) || mesh.vertex_count() < kWorthwhileSurface) return false;
   if (buffers.draws < kLooksAtDraw && (++buffers.draws == kLooksAtDraw || mesh.surface)) {
     buffers.draws = kLooksAtDraw;
     auto surface = mesh.surface ? mesh.surface : std::make_shared<Surface>(find_surface(mesh));

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "backend/backend.hpp"
-#include "backend/float4.hpp"
+#include "immediate/float4.hpp"
 #include "immediate/tiny_normals.hpp"
 
 namespace legacy_gl {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "backend/derive_parts.hpp"
-#include "backend/float4.hpp"
+#include "immediate/float4.hpp"
 
 namespace legacy_gl {
 

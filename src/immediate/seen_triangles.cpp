@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+
+#include "immediate/float4.hpp"
 
 namespace legacy_gl {
 
@@ -18,9 +19,6 @@ enum : std::uint32_t {
   kUnsafe = 64,          ///< behind the eye, before the near plane or far outside: no coordinates
   kTouchesDrawn = 128,   ///< a side that is drawn meets the place
 };
-
-using Float4 = float __attribute__((vector_size(16)));
-using Int4 = int __attribute__((vector_size(16)));
 
 /// The largest whole number that is not larger, of a coordinate that is not unsafe.
 int floor_of(float coordinate) {
@@ -49,8 +47,7 @@ struct Edge {
 
 void SeenTriangles::project(const Surface& surface, const SurfaceView& view) {
   places_.resize(surface.places.size());
-  Float4 column[4];
-  std::memcpy(column, &view.to_clip, sizeof column);
+  const Columns matrix = columns(view.to_clip);
   const auto& box = view.viewport.box;
   const float half_width = 0.5f * static_cast<float>(box[2]);
   const float half_height = 0.5f * static_cast<float>(box[3]);
@@ -59,8 +56,8 @@ void SeenTriangles::project(const Surface& surface, const SurfaceView& view) {
   const float center_y = static_cast<float>(box[1]) + half_height - 0.5f;
   ScreenPlace* to = places_.data();
   for (const glm::vec3& place : surface.places) {
-    const Float4 clip = column[0] * place.x + column[1] * place.y + column[2] * place.z + column[3];
-    const Float4 w{clip[3], clip[3], clip[3], clip[3]};
+    const Float4 clip = product(matrix, place.x, place.y, place.z, 1);
+    const Float4 w = splat(clip[3]);
     const Int4 above = clip > w, below = clip < -w;
     const float inverse = 1 / clip[3];
     to->x = clip[0] * inverse * half_width + center_x;
