@@ -20,7 +20,8 @@ LEGACY_GL_API GLuint LEGACY_GL_APIENTRY legacy_gl_driver_texture(GLuint texture)
 LEGACY_GL_API void LEGACY_GL_APIENTRY legacy_gl_generate_mipmap(GLenum target);
 
 /** Names that glGetString(GL_EXTENSIONS) gives besides, where the driver has them: for those who
- * offer the driver's functions beside ours. Separated by blanks; the text is copied. */
+ * offer the driver's functions beside ours. Separated by blanks; `NAME=OTHER` is a name that is
+ * given where the driver has the other. The text is copied. */
 LEGACY_GL_API void LEGACY_GL_APIENTRY legacy_gl_offer_extensions(const char* names);
 
 #ifdef __cplusplus

@@ -26,11 +26,23 @@ PixelSource source_of(GLenum format) {
 GLenum draw_error(const Context& c, const PixelCall& call) {
   if (c.recorder.inside_begin_end()) return GL_INVALID_OPERATION;
   if (call.width < 0 || call.height < 0) return GL_INVALID_VALUE;
-  if (const GLenum error = pixel_format_error(call.format, call.type)) return error;
+  if (const GLenum error = pixel_rectangle_error(call.format, call.type)) return error;
   return missing_buffer_error(c, call.format);
 }
 
+void draw_depth_stencil(Context& c, const PixelCall& call, const PixelStore& store,
+                        const void* pixels) {
+  const ImageSize size{call.width, call.height, 1};
+  DepthStencilTexels texels = unpack_depth_stencil(store, pixels, size, c.pixels);
+  flush_pending(c);
+  c.backend->draw_pixels(
+      c, {PixelSource::kStencil, call.width, call.height, std::move(texels.stencil)});
+  c.backend->draw_pixels(
+      c, {PixelSource::kDepths, call.width, call.height, std::move(texels.depths), true});
+}
+
 void draw(Context& c, const PixelCall& call, const PixelStore& store, const void* pixels) {
+  if (call.format == kDepthStencil) return draw_depth_stencil(c, call, store, pixels);
   const ImageSize size{call.width, call.height, 1};
   PixelImage image{source_of(call.format), call.width, call.height, {}};
   switch (image.source) {
@@ -71,7 +83,8 @@ void play_pixels(Context& c, PixelCall call, const RecordedPixels* recorded) {
 
 void record_pixel_call(Context& c, const PixelCall& call, const void* pixels) {
   const RecordedPixels* recorded = nullptr;
-  if (pixels && call.width > 0 && call.height > 0 && !pixel_format_error(call.format, call.type)) {
+  if (pixels && call.width > 0 && call.height > 0 &&
+      !pixel_rectangle_error(call.format, call.type)) {
     PixelStore store = c.unpack;
     store.skip_images = store.image_height = 0;
     const auto kept = std::make_shared<const RecordedPixels>(
@@ -88,6 +101,7 @@ GLenum copied_format(GLenum type) {
     case GL_COLOR: return GL_RGBA;
     case GL_DEPTH: return GL_DEPTH_COMPONENT;
     case GL_STENCIL: return GL_STENCIL_INDEX;
+    case kDepthStencil: return kDepthStencil;
     default: return GL_NONE;
   }
 }
@@ -104,7 +118,8 @@ void copy_pixels(Context& c, PixelRectangle from, GLenum type) {
     return raise_error(c, GL_INVALID_OPERATION);
   }
   if (!c.current.raster.valid || c.selection.is_selecting() || !from.width || !from.height) return;
-  const GLenum element = format == GL_STENCIL_INDEX ? GL_UNSIGNED_BYTE
+  const GLenum element = format == kDepthStencil      ? kUnsignedInt24_8
+                         : format == GL_STENCIL_INDEX ? GL_UNSIGNED_BYTE
                          : format == GL_RGBA && !c.pixels.changes_colors() && !reads_floats(driver)
                              ? GL_UNSIGNED_BYTE
                              : GL_FLOAT;

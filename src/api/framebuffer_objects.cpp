@@ -33,8 +33,12 @@ void generate_mipmap(Context& c, GLenum target_name) {
 void offer_extensions(Context& c, const char* names) {
   c.extensions = extension_names(c.backend->driver);
   std::istringstream words(names ? names : "");
-  for (std::string name; words >> name;)
-    if (driver_has_extension(c.backend->driver, name)) c.extensions += ' ' + name;
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const std::string needed = equals == std::string::npos ? name : word.substr(equals + 1);
+    if (driver_has_extension(c.backend->driver, needed)) c.extensions += ' ' + name;
+  }
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ void read_pixels_into(Context& c, PixelRectangle rectangle, GLenum format, GLenu
                       void* pixels) {
   if (inside(c)) return;
   if (rectangle.width < 0 || rectangle.height < 0) return raise_error(c, GL_INVALID_VALUE);
-  if (const GLenum error = pixel_format_error(format, type)) return raise_error(c, error);
+  if (const GLenum error = pixel_rectangle_error(format, type)) return raise_error(c, error);
   if (format == GL_COLOR_INDEX) return raise_error(c, GL_INVALID_OPERATION);
   if (const GLenum error = missing_buffer_error(c, format)) return raise_error(c, error);
   if (!can_read_pixels(c.backend->driver, format)) {
@@ -59,6 +59,10 @@ GLenum legacy_gl::missing_buffer_error(const Context& c, GLenum format) {
       return framebuffer_bits(c, FramebufferChannel::kDepth) ? GL_NO_ERROR : GL_INVALID_OPERATION;
     case GL_STENCIL_INDEX:
       return framebuffer_bits(c, FramebufferChannel::kStencil) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    case kDepthStencil: {
+      const GLenum error = missing_buffer_error(c, GL_DEPTH_COMPONENT);
+      return error ? error : missing_buffer_error(c, GL_STENCIL_INDEX);
+    }
     default: return GL_NO_ERROR;
   }
 }

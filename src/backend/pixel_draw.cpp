@@ -137,6 +137,18 @@ RasterState stencil_raster(const RasterState& raster, GLuint bits, bool set) {
   return stencil;
 }
 
+/// Depths of GL_DEPTH_STENCIL: only the scissor and the write mask concern them (GL 3.0
+/// spec 4.3.1).
+RasterState depth_raster(const RasterState& raster) {
+  RasterState depth = pixel_raster(raster);
+  depth.depth.test_enabled = true;
+  depth.depth.function = GL_ALWAYS;
+  depth.stencil.test_enabled = false;
+  depth.color_buffer.write_mask = {};
+  depth.multisample.alpha_to_coverage = depth.multisample.coverage = false;
+  return depth;
+}
+
 }  // namespace
 
 /// GL 2.1 spec 4.2.4: only the scissor, the colour mask and dithering concern what returns.
@@ -196,6 +208,9 @@ void Backend::draw_tile(Context& context, const PixelImage& image, const PixelTi
   load_tile(image, tile, {left, bottom, transfer.zoom_x, transfer.zoom_y});
   const PixelRectangle covered{x.first, y.first, x.end - x.first, y.end - y.first};
   if (image.source == PixelSource::kStencil) return draw_stencil(context, covered);
+  if (image.written_only)
+    return draw_pixel_quads(context, image.source, pixel_quad(covered, 0, raster),
+                            depth_raster(context.raster), nullptr);
   draw_pixel_quads(context, image.source, pixel_quad(covered, 0, raster),
                    pixel_raster(context.raster), &raster.texture_coordinates);
 }

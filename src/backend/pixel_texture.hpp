@@ -8,7 +8,8 @@ namespace legacy_gl {
 struct PixelImage {
   PixelSource source = PixelSource::kColors;
   GLsizei width = 0, height = 0;
-  Texels texels;  ///< four components of colours, or one
+  Texels texels;              ///< four components of colours, or one
+  bool written_only = false;  ///< depths that pass no test but the scissor, and touch no colour
 };
 
 /// A part of an image, in its pixels.

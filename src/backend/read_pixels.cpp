@@ -1,9 +1,11 @@
 #include "backend/read_pixels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "texture/pixel_format.hpp"
 #include "texture/pixel_transfer.hpp"
+#include "texture/texture_format.hpp"
 
 namespace legacy_gl {
 
@@ -47,6 +49,7 @@ void for_each_row(const PixelRectangle& rectangle, const ImageLayout& layout, st
 bool transfers(const PixelState& transfer, GLenum format, GLenum type) {
   if (format == GL_DEPTH_COMPONENT) return transfer.changes_depths();
   if (format == GL_STENCIL_INDEX) return transfer.changes_stencil() || type == GL_BITMAP;
+  if (format == kDepthStencil) return transfer.changes_depths() || transfer.changes_stencil();
   return transfer.changes_colors();
 }
 
@@ -67,6 +70,24 @@ void read_stencil(const Driver& driver, const PixelRectangle& rectangle, const P
   for_each_row(rectangle, image_layout(store, rectangle.width, GL_STENCIL_INDEX, type), pixels,
                [&](std::size_t row, std::byte* to) {
                  pack_indices(indices.data() + row * width, width, type, store.swap_bytes, to);
+               });
+}
+
+void read_depth_stencil(const Driver& driver, const PixelRectangle& rectangle,
+                        const PixelStore& store, const PixelState& transfer, std::byte* pixels) {
+  const std::vector<float> depths = read_depths(driver, rectangle, transfer);
+  std::vector<GLuint> words(depths.size());
+  read_stencil(driver, rectangle, PixelStore{.alignment = 1}, GL_UNSIGNED_INT, transfer,
+               reinterpret_cast<std::byte*>(words.data()));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const double depth = std::clamp(static_cast<double>(depths[i]), 0.0, 1.0);
+    words[i] = static_cast<GLuint>(std::llround(depth * 0xffffff)) << 8 | (words[i] & 0xffu);
+  }
+  const auto width = static_cast<std::size_t>(rectangle.width);
+  for_each_row(rectangle, image_layout(store, rectangle.width, kDepthStencil, kUnsignedInt24_8),
+               pixels, [&](std::size_t row, std::byte* to) {
+                 pack_indices(words.data() + row * width, width, GL_UNSIGNED_INT, store.swap_bytes,
+                              to);
                });
 }
 
@@ -125,6 +146,8 @@ void read_pixels(const Driver& driver, const PixelRectangle& rectangle, const Pi
   }
   if (format == GL_STENCIL_INDEX)
     return read_stencil(driver, rectangle, store, type, transfer, pixels);
+  if (format == kDepthStencil)
+    return read_depth_stencil(driver, rectangle, store, transfer, pixels);
   const bool depth = format == GL_DEPTH_COMPONENT;
   std::vector<float> colors;
   if (!depth) {

@@ -119,7 +119,10 @@ GLenum draw_buffer_error(const Context& context, GLenum mode) {
 }
 
 GLenum read_buffer_error(const Context& context, GLenum mode) {
-  if (mode == GL_NONE || mode == GL_FRONT_AND_BACK) return GL_INVALID_ENUM;
+  if (mode == GL_FRONT_AND_BACK) return GL_INVALID_ENUM;
+  // Framebuffer objects without colours read none (EXT_framebuffer_object 4.3.2).
+  if (mode == GL_NONE)
+    return driver_integer(context, GL_READ_FRAMEBUFFER_BINDING) ? GL_NO_ERROR : GL_INVALID_ENUM;
   return draw_buffer_error(context, mode);
 }
 

@@ -1,5 +1,7 @@
 #include "texture/pixel_format.hpp"
 
+#include "texture/texture_format.hpp"
+
 namespace legacy_gl {
 
 ColorFormat color_format(GLenum format) {
@@ -45,7 +47,8 @@ unsigned bytes_per_element(GLenum type) {
     case GL_UNSIGNED_SHORT: return 2;
     case GL_INT:
     case GL_UNSIGNED_INT:
-    case GL_FLOAT: return 4;
+    case GL_FLOAT:
+    case kUnsignedInt24_8: return 4;
     default: return packed_type(type).bytes;
   }
 }
@@ -62,12 +65,17 @@ GLenum pixel_format_error(GLenum format, GLenum type) {
   const unsigned count = color_format(format).count;
   if (!count && !is_index && format != GL_DEPTH_COMPONENT) return GL_INVALID_ENUM;
   if (type == GL_BITMAP) return is_index ? GL_NO_ERROR : GL_INVALID_ENUM;
-  if (!bytes_per_element(type)) return GL_INVALID_ENUM;
+  if (!bytes_per_element(type) || type == kUnsignedInt24_8) return GL_INVALID_ENUM;
   const PackedType packed = packed_type(type);
   if (!packed.bytes) return GL_NO_ERROR;
   // Three components stand for RGB alone, four for RGBA or BGRA.
   const bool fits = packed.count() == 3 ? format == GL_RGB : format == GL_RGBA || format == GL_BGRA;
   return fits ? GL_NO_ERROR : GL_INVALID_OPERATION;
+}
+
+GLenum pixel_rectangle_error(GLenum format, GLenum type) {
+  if (format == kDepthStencil) return type == kUnsignedInt24_8 ? GL_NO_ERROR : GL_INVALID_ENUM;
+  return pixel_format_error(format, type);
 }
 
 ImageLayout image_layout(const PixelStore& store, GLsizei width, GLenum format, GLenum type) {

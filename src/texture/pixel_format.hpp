@@ -31,6 +31,10 @@ PackedType packed_type(GLenum type);
 /// The error that the two make together, or GL_NO_ERROR (GL 2.1 spec 3.6.4, table 3.5).
 GLenum pixel_format_error(GLenum format, GLenum type);
 
+/// Of glDrawPixels and glReadPixels, which take depth and stencil in one word as well
+/// (EXT_packed_depth_stencil).
+GLenum pixel_rectangle_error(GLenum format, GLenum type);
+
 unsigned bytes_per_pixel(GLenum format, GLenum type);
 /// What GL_PACK_SWAP_BYTES turns around.
 unsigned bytes_per_element(GLenum type);

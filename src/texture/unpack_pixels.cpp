@@ -297,6 +297,22 @@ Texels unpack_stencil(const PixelStore& store, const void* pixels, const ImageSi
   return texels;
 }
 
+DepthStencilTexels unpack_depth_stencil(const PixelStore& store, const void* pixels,
+                                        const ImageSize& size, const PixelState& transfer) {
+  std::vector<GLuint> depths, indices;
+  const auto width = static_cast<std::size_t>(size.width);
+  for_each_row(store, pixels, size, kDepthStencil, kUnsignedInt24_8, [&](const std::byte* from) {
+    for (std::size_t i = 0; i < width; ++i, from += sizeof(GLuint)) {
+      const auto word = load<GLuint>(from, store.swap_bytes);
+      depths.push_back((word & 0xffffff00u) | word >> 24);  // the same share of 32 bits
+      indices.push_back(word & 0xffu);
+    }
+  });
+  const PixelStore tight{.alignment = 1};
+  return {unpack_depths(tight, depths.data(), size, GL_UNSIGNED_INT, transfer),
+          unpack_stencil(tight, indices.data(), size, GL_UNSIGNED_INT, transfer)};
+}
+
 Texels texels_of_colors(std::span<const float> rgba, BaseFormat base, bool bytes_only) {
   Texels::Type type = bytes_only ? Texels::Type::kBytes : Texels::Type::kFloats;
   if (base == BaseFormat::kDepth) type = Texels::Type::kDepths;

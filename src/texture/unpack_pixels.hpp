@@ -48,6 +48,13 @@ Texels unpack_depths(const PixelStore& store, const void* pixels, const ImageSiz
 Texels unpack_stencil(const PixelStore& store, const void* pixels, const ImageSize& size,
                       GLenum type, const PixelState& transfer);
 
+/// The depths and the indices of GL_DEPTH_STENCIL in words of GL_UNSIGNED_INT_24_8.
+struct DepthStencilTexels {
+  Texels depths, stencil;
+};
+DepthStencilTexels unpack_depth_stencil(const PixelStore& store, const void* pixels,
+                                        const ImageSize& size, const PixelState& transfer);
+
 /// Colours, four floats each, as texels of `base`.
 Texels texels_of_colors(std::span<const float> rgba, BaseFormat base, bool bytes_only);
 

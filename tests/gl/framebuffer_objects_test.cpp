@@ -122,6 +122,58 @@ TEST(FramebufferObjects, MipmapsAreGenerated) {
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+// GL_EXT_packed_depth_stencil: no test but the scissor concerns what is drawn.
+TEST(FramebufferObjects, DepthAndStencilInOneWord) {
+  CoreContext context(kSize, kSize);
+  const GlFunctions& gl = context.gl;
+  GLuint framebuffer = 0;
+  driver<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &framebuffer);
+  bind(framebuffer);
+  attach(GL_DEPTH_STENCIL_ATTACHMENT,
+         make_texture(gl, GL_DEPTH_STENCIL, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8));
+  gl.DrawBuffer(GL_NONE);
+  gl.ReadBuffer(GL_NONE);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  gl.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  gl.AlphaFunc(GL_NEVER, 0);
+  gl.Enable(GL_ALPHA_TEST);
+  gl.DepthFunc(GL_NEVER);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.RasterPos2i(-1, -1);
+  using Words = std::array<GLuint, 4>;
+  const auto read = [&](GLint x) {
+    Words words{};
+    gl.ReadPixels(x, 0, 4, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, words.data());
+    return words;
+  };
+  constexpr Words words{0x80000112, 0xFFFFFF34, 0x40000056, 0x00000078};
+  gl.DrawPixels(4, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, words.data());
+  EXPECT_EQ(read(0), words);
+  EXPECT_EQ(read(4), (Words{0xFFFFFF00, 0xFFFFFF00, 0xFFFFFF00, 0xFFFFFF00})) << "beside it";
+  gl.WindowPos2i(4, 0);
+  gl.CopyPixels(0, 0, 4, 1, GL_DEPTH_STENCIL);
+  EXPECT_EQ(read(4), words);
+  gl.NewList(1, GL_COMPILE);
+  gl.DrawPixels(4, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, words.data());
+  gl.EndList();
+  gl.WindowPos2i(8, 0);
+  gl.CallList(1);
+  EXPECT_EQ(read(8), words);
+  gl.PixelTransferi(GL_INDEX_OFFSET, 1);
+  gl.PixelTransferf(GL_DEPTH_SCALE, 0.5F);
+  EXPECT_EQ(read(0), (Words{0x40000113, 0x80000035, 0x20000057, 0x00000079}));
+  gl.PixelTransferi(GL_INDEX_OFFSET, 0);
+  gl.PixelTransferf(GL_DEPTH_SCALE, 1);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  gl.DrawPixels(4, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_BYTE, words.data());
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  attach(GL_DEPTH_STENCIL_ATTACHMENT, 0);
+  attach(GL_DEPTH_ATTACHMENT, make_texture(gl, GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_FLOAT));
+  read(0);  // without stencil indices
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  bind(0);
+}
+
 TEST(FramebufferObjects, NamesAndErrors) {
   CoreContext context(kSize, kSize);
   const GlFunctions& gl = context.gl;
@@ -156,9 +208,12 @@ TEST(FramebufferObjects, NamesAndErrors) {
     return ' ' + std::string(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS))) + ' ';
   };
   EXPECT_EQ(extensions().find(" GL_ARB_framebuffer_object "), std::string::npos);
-  legacy_gl_offer_extensions("GL_ARB_framebuffer_object GL_NONE_such");
+  legacy_gl_offer_extensions(
+      "GL_ARB_framebuffer_object GL_NONE_such GL_EXT_framebuffer_object=GL_ARB_framebuffer_object "
+      "GL_NONE_either=GL_NONE_such");
   EXPECT_NE(extensions().find(" GL_ARB_framebuffer_object "), std::string::npos);
-  EXPECT_EQ(extensions().find("GL_NONE_such"), std::string::npos);
+  EXPECT_NE(extensions().find(" GL_EXT_framebuffer_object "), std::string::npos);
+  EXPECT_EQ(extensions().find("GL_NONE"), std::string::npos);
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
