@@ -13,13 +13,20 @@ from tables import GENERATED
 # Types that no header of Debian's Mesa declares without more headers.
 UNDECLARED = re.compile(r"struct _cl|GLXHyperpipe|GLXVideo|DMparams|VLServer|VLPath|VLNode|DMbuffer|GLXPbufferClobber|_cl_")
 
-# Written by hand in src/platform/glx*.cpp.
 # Written by hand in src/platform/exported_framebuffer_objects.cpp.
 GL_BY_HAND = {
     "glFramebufferTexture1D", "glFramebufferTexture2D", "glFramebufferTexture3D", "glFramebufferTextureLayer",
     "glGenerateMipmap",
+    "glBindFramebufferEXT", "glBindRenderbufferEXT", "glBlitFramebufferEXT",
+    "glCheckFramebufferStatusEXT", "glDeleteFramebuffersEXT", "glDeleteRenderbuffersEXT",
+    "glFramebufferRenderbufferEXT", "glFramebufferTexture1DEXT", "glFramebufferTexture2DEXT",
+    "glFramebufferTexture3DEXT", "glGenFramebuffersEXT", "glGenRenderbuffersEXT",
+    "glGenerateMipmapEXT", "glGetFramebufferAttachmentParameterivEXT", "glGetRenderbufferParameterivEXT",
+    "glIsFramebufferEXT", "glIsRenderbufferEXT", "glRenderbufferStorageEXT",
+    "glRenderbufferStorageMultisampleEXT",
 }
 
+# Written by hand in src/platform/glx*.cpp.
 GLX_BY_HAND = {
     "glXCreateContext", "glXCreateNewContext", "glXCreateContextAttribsARB", "glXCreateContextWithConfigSGIX",
     "glXDestroyContext", "glXMakeCurrent", "glXMakeContextCurrent", "glXMakeCurrentReadSGI", "glXSwapBuffers",

@@ -13,6 +13,14 @@ namespace legacy_gl::platform {
 
 namespace {
 
+/// Beside ours: what the exported functions of framebuffer objects make of the driver's.
+constexpr const char* kOfferedExtensions =
+    "GL_ARB_framebuffer_object "
+    "GL_EXT_framebuffer_object=GL_ARB_framebuffer_object "
+    "GL_EXT_framebuffer_blit=GL_ARB_framebuffer_object "
+    "GL_EXT_framebuffer_multisample=GL_ARB_framebuffer_object "
+    "GL_EXT_packed_depth_stencil=GL_ARB_framebuffer_object";
+
 struct DropInContext;
 using Shared = std::shared_ptr<DropInContext>;
 
@@ -88,7 +96,7 @@ void enter(const Shared& next, legacy_gl_loader loader) {
   if (is_new) make_ours(*next, loader);
   if (!next->ours) return;
   legacy_gl_make_current(next->ours);
-  if (is_new) legacy_gl_offer_extensions("GL_ARB_framebuffer_object");
+  if (is_new) legacy_gl_offer_extensions(kOfferedExtensions);
 }
 
 }  // namespace

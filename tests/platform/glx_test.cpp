@@ -29,6 +29,11 @@ GLXContext create_with(const Window& window, const int* attributes) {
   return create(display(), config_of(window), nullptr, True, attributes);
 }
 
+template <typename Function>
+Function function(const char* name) {
+  return reinterpret_cast<Function>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
+}
+
 TEST(Glx, ContextOfAVisualDrawsByFixedFunction) {
   const Window window;
   const OldContext context(window);
@@ -198,6 +203,45 @@ TEST(Glx, FunctionsAreFoundByName) {
   glVertex2f(0, 0);
   glEnd();
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+// Programs of OpenGL 1.5 know framebuffer objects by their first extension.
+TEST(Glx, FramebufferObjectsOfTheFirstExtension) {
+  const Window window;
+  const OldContext context(window);
+  const std::string extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
+  for (const char* const name :
+       {"GL_EXT_framebuffer_object", "GL_EXT_framebuffer_blit", "GL_EXT_packed_depth_stencil"})
+    EXPECT_NE(extensions.find(name), std::string::npos) << name;
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+  const auto bind_framebuffer = function<PFNGLBINDFRAMEBUFFEREXTPROC>("glBindFramebufferEXT");
+  const auto bind_renderbuffer = function<PFNGLBINDRENDERBUFFEREXTPROC>("glBindRenderbufferEXT");
+  GLuint generated = 0;
+  function<PFNGLGENFRAMEBUFFERSEXTPROC>("glGenFramebuffersEXT")(1, &generated);
+  bind_framebuffer(GL_FRAMEBUFFER_EXT, generated);
+  // Names that nobody generated are as good.
+  const GLuint chosen = generated + 7;
+  bind_framebuffer(GL_FRAMEBUFFER_EXT, chosen);
+  GLint bound = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING_EXT, &bound);
+  EXPECT_EQ(static_cast<GLuint>(bound), chosen);
+  bind_renderbuffer(GL_RENDERBUFFER_EXT, 5);
+  function<PFNGLRENDERBUFFERSTORAGEEXTPROC>("glRenderbufferStorageEXT")(GL_RENDERBUFFER_EXT,
+                                                                        GL_DEPTH_COMPONENT, 16, 16);
+  function<PFNGLFRAMEBUFFERRENDERBUFFEREXTPROC>("glFramebufferRenderbufferEXT")(
+      GL_FRAMEBUFFER_EXT, GL_DEPTH_ATTACHMENT_EXT, GL_RENDERBUFFER_EXT, 5);
+  function<PFNGLFRAMEBUFFERTEXTURE2DEXTPROC>("glFramebufferTexture2DEXT")(
+      GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, texture, 0);
+  EXPECT_EQ(function<PFNGLCHECKFRAMEBUFFERSTATUSEXTPROC>("glCheckFramebufferStatusEXT")(
+                GL_FRAMEBUFFER_EXT),
+            static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE_EXT));
+  draw_lit_square(0.25f, 0.5f, 0.75f);
+  EXPECT_EQ(pixel(10, 10), lit(0.25f, 0.5f, 0.75f));
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+  bind_framebuffer(GL_FRAMEBUFFER_EXT, 0);
 }
 
 TEST(Faults, CallsWithoutAContextDoNothing) {
