@@ -51,7 +51,9 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles
 std::string Backend::program_source(Context& context) {
   flush_pending(context);
   derive(context, Recorder::relevant_layout(context));
-  const ProgramSource source = generate(derived_.key, driver.dialect);
+  ProgramKey key = derived_.key;
+  key.fragments.coverage = coverage_of(context.raster, GL_TRIANGLES);
+  const ProgramSource source = generate(key, driver.dialect);
   return source.vertex + "\n" + source.fragment;
 }
 
@@ -134,6 +136,9 @@ void Backend::stage_stale_blocks(Context& context) {
     stage_block(context, kFragmentsBlock, &derived_.fragments, sizeof derived_.fragments);
   if (derived_.stale[kClipPlanesBlock] && fragments.clip_planes)
     stage_block(context, kClipPlanesBlock, &derived_.clip_planes, sizeof derived_.clip_planes);
+  if (derived_.stale[kPolygonStippleBlock] && context.raster.polygon.stipple_enabled)
+    stage_block(context, kPolygonStippleBlock, &derived_.polygon_stipple,
+                sizeof derived_.polygon_stipple);
   if (derived_.key.textures.count && derived_.stale[kTexturesBlock])
     stage_with_tail(context, kTexturesBlock, &derived_.textures, sizeof derived_.textures,
                     derived_.texture_units.data(),
@@ -179,10 +184,13 @@ void Backend::apply_derived(Context& context) {
   if (derived_.key.textures.count) textures_.bind(active_textures(context));
 }
 
-bool Backend::use_program(Context& context, bool points, std::uint64_t vertices) {
-  if (!points) return use_program(context, derived_.key, vertices);
+bool Backend::use_program(Context& context, GLenum mode, std::uint64_t vertices) {
+  const Coverage coverage = coverage_of(context.raster, mode);
+  if (mode != GL_POINTS && coverage == Coverage::kWhole)
+    return use_program(context, derived_.key, vertices);
   ProgramKey key = derived_.key;
-  key.points = points;
+  key.points = mode == GL_POINTS;
+  key.fragments.coverage = coverage;
   return use_program(context, key, vertices);
 }
 
@@ -261,7 +269,7 @@ void Backend::draw_runs(Context& context, std::uint32_t base_vertex) {
              needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)) &&
              !runs[at].apart && !runs[end].apart);
     at = end;
-    if (!use_program(context, mode == GL_POINTS, recorder.vertex_count())) continue;
+    if (!use_program(context, mode, recorder.vertex_count())) continue;
     if (indexed) {
       const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);
       const std::size_t offset = indices_.write(index_scratch_.data(), size, sizeof(std::uint32_t));

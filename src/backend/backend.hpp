@@ -124,7 +124,7 @@ class Backend {
   /// Brings the driver up to what is derived.
   void apply_derived(Context& context);
   /// False when the driver has refused it. The general block is uploaded where it is read.
-  bool use_program(Context& context, bool points, std::uint64_t vertices);
+  bool use_program(Context& context, GLenum mode, std::uint64_t vertices);
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
   bool use_program(Context& context, const ProgramKey& key, std::uint64_t vertices);
   /// Draws the batch when it has polygons that become lines or points, or lines that become wide;

@@ -31,6 +31,10 @@ struct ActiveLight {
 /// it.
 glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear);
 
+/// Which fragments primitives of this mode have. It depends on the mode, so that Derived::key has
+/// none of it.
+Coverage coverage_of(const RasterState& raster, GLenum mode);
+
 /// One of the filters mixes neighbouring texels.
 bool filters_linearly(const TextureParameters& parameters);
 
@@ -58,6 +62,7 @@ class Derived {
   GeneralUniforms general;
   FragmentUniforms fragments;
   ClipPlaneUniforms clip_planes;
+  PolygonStippleUniforms polygon_stipple;
   TexturesUniforms textures;
   std::vector<TextureUnitUniforms> texture_units;
   std::array<bool, kUniformBlockCount> stale = all_stale();

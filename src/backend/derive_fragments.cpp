@@ -1,4 +1,4 @@
-// Fog, alpha test and clip planes: their part of the key, and their blocks.
+// Fog, coverage, alpha test and clip planes: their part of the key, and their blocks.
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -7,6 +7,11 @@
 #include "backend/derive_parts.hpp"
 
 namespace legacy_gl {
+
+Coverage coverage_of(const RasterState& raster, GLenum mode) {
+  if (mode >= GL_TRIANGLES && raster.polygon.stipple_enabled) return Coverage::kPolygonStipple;
+  return Coverage::kWhole;
+}
 
 void Derived::choose_fragments(const Context& context, const VertexLayout& layout) {
   key.fragments.clip_planes = context.transform.clip.enabled;
@@ -44,6 +49,11 @@ void Derived::fill_fragments(const Context& context) {
     }
     fragments.fog_parameters = {finite(x), finite(y), 0,
                                 context.raster.color_buffer.alpha_reference};
+  }
+  const PolygonStipple& stipple = context.raster.polygon_stipple;
+  if (context.raster.polygon.stipple_enabled && polygon_stipple.rows != stipple) {
+    stale[kPolygonStippleBlock] = true;
+    polygon_stipple.rows = stipple;
   }
   if (key.fragments.clip_planes) {
     stale[kClipPlanesBlock] = true;

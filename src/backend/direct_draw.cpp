@@ -133,7 +133,7 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
     return false;
   flush_pending(context);
   prepare(context, layout);
-  if (!use_program(context, draw.mode == GL_POINTS, draw.count)) return true;
+  if (!use_program(context, draw.mode, draw.count)) return true;
   attributes->index_buffer = elements && native ? elements->driver_name : indices_.name();
   bind_vertex_array(buffer_arrays_.find_or_build(*attributes));
   set_constant_attributes(context, layout);

@@ -83,7 +83,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   if (draw_surface(context, mesh, buffers)) return;
   bind_vertex_array(buffers.array);
   for (const ListMesh::Draw& draw : mesh.draws) {
-    if (!use_program(context, draw.mode == GL_POINTS, mesh.vertex_count())) continue;
+    if (!use_program(context, draw.mode, mesh.vertex_count())) continue;
     const auto count = static_cast<GLsizei>(draw.count);
     ++context.statistics.draws;
     if (draw.indexed) {

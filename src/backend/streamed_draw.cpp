@@ -94,7 +94,7 @@ bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
       return true;
     }
   prepare(context, layout);
-  if (!use_program(context, draw.mode == GL_POINTS, draw.count)) return true;
+  if (!use_program(context, draw.mode, draw.count)) return true;
   const std::optional<std::uint32_t> base = stream_vertices(context, gather, *range);
   if (!base) return false;
   bind_vertex_array(arrays_.find_or_build(layout, vertices_.name(), indices_.name()));

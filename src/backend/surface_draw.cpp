@@ -54,7 +54,7 @@ bool Backend::draw_surface(Context& context, const ListMesh& mesh, MeshBuffers::
   KeptSurface& kept = *buffers.surface;
   const std::optional<SurfaceView> view = surface_view(context, mesh, *kept.surface);
   if (!view) return false;
-  if (!use_program(context, false, mesh.vertex_count())) return true;
+  if (!use_program(context, GL_TRIANGLES, mesh.vertex_count())) return true;
   if (view != kept.view) {
     index_scratch_.clear();
     seen_triangles_.append(*kept.surface, *view, index_scratch_);

@@ -94,6 +94,7 @@ bool Backend::draw_unfilled(Context& context) {
     const PrimitiveGroup& group = expanded.groups[g];
     ProgramKey variant = key;
     variant.points = group.mode == GL_POINTS;
+    variant.fragments.coverage = coverage_of(context.raster, group.mode);
     variant.back_only = group.back;
     variant.lighting_position = state.lighting_position;
     variant.depth_offset =

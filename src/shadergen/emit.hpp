@@ -26,12 +26,14 @@ struct FragmentColors {
   void make_variable(Writer& w);
 };
 
-/// Fog, alpha test and clip planes; nothing where the key has none. Distances are set after
-/// gl_Position.
+/// Fog, coverage, alpha test and clip planes; nothing where the key has none. Distances are set
+/// after gl_Position.
 void emit_fog_block(Writer& w, const FragmentKey& key);
 void emit_fog_coordinate(Writer& w, const FragmentKey& key);
 void emit_fog(Writer& w, const FragmentKey& key, FragmentColors& colors);
 void emit_alpha_test(Writer& w, const FragmentKey& key, FragmentColors& colors);
+void emit_coverage_block(Writer& w, const FragmentKey& key);
+void emit_coverage(Writer& w, const FragmentKey& key);
 void emit_clip_block(Writer& w, const FragmentKey& key);
 void emit_clip_varyings(Writer& w, const FragmentKey& key, Dialect dialect,
                         const std::string& direction);

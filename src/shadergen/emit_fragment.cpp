@@ -1,5 +1,5 @@
 // The fragment stage, in the specification's order: the face's colours, texturing (GL 2.1
-// spec 3.8), colour sum (3.9), fog (3.10), alpha test (4.1.4).
+// spec 3.8), colour sum (3.9), fog (3.10), coverage, alpha test (4.1.4).
 #include "shadergen/emit_texture.hpp"
 
 namespace legacy_gl {
@@ -60,6 +60,7 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "fragment");
   emit_fog_block(w, key.fragments);
+  emit_coverage_block(w, key.fragments);
   if (key.per_fragment) emit_per_fragment_blocks(w, key);
   if (fragment_reads_texture_block(key.textures)) emit_texture_block(w, key.textures);
   emit_varyings(w, key, dialect, "in");
@@ -79,6 +80,7 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   emit_textures(w, key.textures, colors);
   emit_color_sum(w, key, colors);
   emit_fog(w, key.fragments, colors);
+  emit_coverage(w, key.fragments);
   emit_alpha_test(w, key.fragments, colors);
   w.line("fragment_color = " + colors.primary + ";");
   w.close();

@@ -36,6 +36,9 @@ void describe_fragments(std::string& text, const FragmentKey& key) {
                      (key.fog_coordinate ? " by coordinate" : ""));
   if (key.has_alpha_test())
     append(text, std::string("alpha test ") + kAlpha[static_cast<unsigned>(key.alpha)]);
+  static constexpr const char* kCoverage[] = {"", "polygon stipple"};
+  if (key.coverage != Coverage::kWhole)
+    append(text, kCoverage[static_cast<unsigned>(key.coverage)]);
   for (unsigned plane = 0; plane < 8; ++plane)
     if (key.clip_planes & 1u << plane) append(text, "clip plane " + std::to_string(plane));
 }
@@ -65,6 +68,7 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   mix(hash, static_cast<std::size_t>(key.fragments.fog) << 24 |
                 static_cast<std::size_t>(key.fragments.alpha) << 16 |
                 std::size_t{key.fragments.clip_planes} << 8 |
+                static_cast<std::size_t>(key.fragments.coverage) << 1 |
                 static_cast<std::size_t>(key.fragments.fog_coordinate));
   if (key.textures.count) mix(hash, hash_of(key.textures));
   return hash;

@@ -3,6 +3,7 @@
 // checked here and, in the tests, against the linked program.
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
@@ -19,12 +20,13 @@ enum UniformBlock : unsigned {
   kGeneralBlock,
   kFragmentsBlock,
   kClipPlanesBlock,
+  kPolygonStippleBlock,
   kTexturesBlock,
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
-    "Transform", "Lights",    "FrontMaterial", "BackMaterial", "Precise",
-    "General",   "Fragments", "ClipPlanes",    "Textures"};
+    "Transform", "Lights",    "FrontMaterial", "BackMaterial",   "Precise",
+    "General",   "Fragments", "ClipPlanes",    "PolygonStipple", "Textures"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
@@ -136,6 +138,17 @@ inline constexpr const char* kClipPlanesBlockText = R"(layout(std140) uniform Cl
 };
 )";
 static_assert(sizeof(ClipPlaneUniforms) == 96);
+
+struct PolygonStippleUniforms {
+  std::array<std::uint32_t, 32>
+      rows{};  ///< the lowest first, the leftmost pixel in the highest bit
+  bool operator==(const PolygonStippleUniforms&) const = default;
+};
+inline constexpr const char* kPolygonStippleBlockText = R"(layout(std140) uniform PolygonStipple {
+  uvec4 stipple_rows[8];  // the lowest first, the leftmost pixel in the highest bit
+};
+)";
+static_assert(sizeof(PolygonStippleUniforms) == 128);
 
 /// A light's colours times the material's; the light's own colour where the material comes with the
 /// vertex.

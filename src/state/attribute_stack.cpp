@@ -31,6 +31,8 @@ void restore_raster(Context& context, GLbitfield mask, const RasterState& saved)
   if (mask & GL_POINT_BIT) assign(context, now.point, saved.point, kShapes);
   if (mask & GL_LINE_BIT) assign(context, now.line, saved.line, kShapes);
   if (mask & GL_POLYGON_BIT) assign(context, now.polygon, saved.polygon, kShapes);
+  if (mask & GL_POLYGON_STIPPLE_BIT)
+    assign(context, now.polygon_stipple, saved.polygon_stipple, kDirtyFragments);
   if (mask & GL_VIEWPORT_BIT) assign(context, now.viewport, saved.viewport, kShapes);
   if (mask & GL_DEPTH_BUFFER_BIT) assign(context, now.depth, saved.depth, kDirtyRaster);
   if (mask & GL_STENCIL_BUFFER_BIT) assign(context, now.stencil, saved.stencil, kDirtyRaster);

@@ -24,6 +24,7 @@ bool* raster_flag(RasterState& raster, GLenum capability) {
     case GL_POLYGON_OFFSET_LINE: return &raster.polygon.offset_line_enabled;
     case GL_POLYGON_OFFSET_POINT: return &raster.polygon.offset_point_enabled;
     case GL_POLYGON_SMOOTH: return &raster.polygon.smooth_enabled;
+    case GL_POLYGON_STIPPLE: return &raster.polygon.stipple_enabled;
     case GL_POINT_SMOOTH: return &raster.point.smooth_enabled;
     case GL_LINE_SMOOTH: return &raster.line.smooth_enabled;
     case GL_SCISSOR_TEST: return &raster.scissor.test_enabled;
@@ -113,6 +114,7 @@ constexpr GLenum kEnableGroup[] = {GL_ALPHA_TEST,
                                    GL_POLYGON_OFFSET_LINE,
                                    GL_POLYGON_SMOOTH,
                                    GL_POLYGON_OFFSET_POINT,
+                                   GL_POLYGON_STIPPLE,
                                    GL_RESCALE_NORMAL,
                                    GL_SAMPLE_COVERAGE,
                                    GL_SAMPLE_ALPHA_TO_COVERAGE,
@@ -147,7 +149,6 @@ void restore_enables(Context& context, const std::vector<std::uint8_t>& enables)
 bool is_unbuilt_capability(GLenum capability) {
   switch (capability) {
     case GL_LINE_STIPPLE:
-    case GL_POLYGON_STIPPLE:
     case GL_POINT_SMOOTH: return true;
     default: return false;
   }
@@ -233,8 +234,10 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
   if (!flag) return false;
   if (enabled && is_missing_in_es(capability) && context.backend->driver.is_es())
     diagnose(context, in_words("glEnable(0x%04X) has no effect on OpenGL ES", capability));
-  const std::uint32_t key = capability == GL_CULL_FACE ? std::uint32_t{kDirtyKey} : 0u;
-  assign(context, *flag, enabled, kDirtyRaster | key);
+  std::uint32_t dirty = kDirtyRaster;
+  if (capability == GL_CULL_FACE) dirty |= kDirtyKey;
+  if (capability == GL_POLYGON_STIPPLE) dirty |= kDirtyFragments;
+  assign(context, *flag, enabled, dirty);
   return true;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/vec4.hpp>
 
 #include "state/gl_types.hpp"
@@ -59,8 +60,19 @@ struct PolygonState {
   bool offset_fill_enabled = false, offset_line_enabled = false, offset_point_enabled = false;
   float offset_factor = 0, offset_units = 0;
   bool smooth_enabled = false;
+  bool stipple_enabled = false;
   bool operator==(const PolygonState&) const = default;
 };
+
+/// GL 2.1 spec 3.5.2: the lowest row first, the leftmost pixel in the highest bit. A group of its
+/// own.
+using PolygonStipple = std::array<std::uint32_t, 32>;
+
+constexpr PolygonStipple full_stipple() {
+  PolygonStipple rows{};
+  for (std::uint32_t& row : rows) row = ~std::uint32_t{0};
+  return rows;
+}
 
 /// Some polygons are drawn as lines or points.
 inline bool is_unfilled(const PolygonState& polygon) {
@@ -131,6 +143,7 @@ struct RasterState {
   StencilState stencil;
   ColorBufferState color_buffer;
   PolygonState polygon;
+  PolygonStipple polygon_stipple = full_stipple();
   PointState point;
   LineState line;
   ScissorState scissor;

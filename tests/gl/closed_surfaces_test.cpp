@@ -202,6 +202,14 @@ TEST_F(ClosedSurfaces, WhereTheFarSideMattersItIsDrawn) {
          gl.CullFace(GL_FRONT);
        },
        [](const GlFunctions& gl) { gl.Disable(GL_CULL_FACE); }},
+      {"polygon stipple",
+       [](const GlFunctions& gl) {
+         std::array<GLubyte, 128> mask{};
+         for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i / 4 % 2 == 0 ? 0x55 : 0xaa;
+         gl.PolygonStipple(mask.data());
+         gl.Enable(GL_POLYGON_STIPPLE);
+       },
+       [](const GlFunctions& gl) { gl.Disable(GL_POLYGON_STIPPLE); }},
       {"logic operation",
        [](const GlFunctions& gl) {
          gl.Enable(GL_COLOR_LOGIC_OP);

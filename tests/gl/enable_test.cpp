@@ -47,6 +47,7 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_POLYGON_SMOOTH,
                                     GL_POLYGON_OFFSET_LINE,
                                     GL_POLYGON_OFFSET_POINT,
+                                    GL_POLYGON_STIPPLE,
                                     GL_RESCALE_NORMAL,
                                     GL_SAMPLE_ALPHA_TO_ONE,
                                     GL_SAMPLE_ALPHA_TO_COVERAGE,
@@ -62,7 +63,7 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_TEXTURE_GEN_R,
                                     GL_TEXTURE_GEN_Q};
 
-constexpr GLenum kUnbuilt[] = {GL_LINE_STIPPLE, GL_POLYGON_STIPPLE, GL_POINT_SMOOTH};
+constexpr GLenum kUnbuilt[] = {GL_LINE_STIPPLE, GL_POINT_SMOOTH};
 
 class Enable : public testing::TestWithParam<Dialect> {
  protected:

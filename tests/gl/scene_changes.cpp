@@ -1,5 +1,6 @@
 #include "scene_changes.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace legacy_gl::test {
@@ -14,6 +15,12 @@ void light(const GlFunctions& gl, GLenum name, GLenum pname, float a, float b, f
 void material(const GlFunctions& gl, GLenum face, GLenum pname, float a, float b, float c) {
   const float values[] = {a, b, c, 0.75f};
   gl.Materialfv(face, pname, values);
+}
+
+void stipple(const GlFunctions& gl, unsigned first) {
+  std::array<GLubyte, 128> mask{};
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = static_cast<GLubyte>(first + 7 * i);
+  gl.PolygonStipple(mask.data());
 }
 
 }  // namespace
@@ -177,6 +184,13 @@ const std::vector<SceneChange>& scene_changes() {
       {"point size", [](Gl gl) { gl.PointSize(5); }},
       {"line width", [](Gl gl) { gl.LineWidth(3); }},
       {"viewport", [](Gl gl) { gl.Viewport(4, 2, 56, 60); }},
+      {"polygon stipple",
+       [](Gl gl) {
+         stipple(gl, 0x33);
+         gl.Enable(GL_POLYGON_STIPPLE);
+       }},
+      {"stipple pattern", [](Gl gl) { stipple(gl, 0x1e); }},
+      {"no polygon stipple", [](Gl gl) { gl.Disable(GL_POLYGON_STIPPLE); }},
       {"lighting off", [](Gl gl) { gl.Disable(GL_LIGHTING); }},
       {"color sum",
        [](Gl gl) {

@@ -1,6 +1,8 @@
 // What a scene does not need leaves no trace in programs and uploads: the counters prove it.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "scene_changes.hpp"
 #include "support/contexts.hpp"
 
@@ -181,6 +183,32 @@ TEST_F(Skipping, WhatCrossesTheViewIsDrawn) {
   legacy_gl_get_statistics(&statistics);
   EXPECT_EQ(statistics.primitives_clipped, 0u);
   EXPECT_EQ(statistics.draws, 1u);
+}
+
+// Its program is the polygons' own; a pattern that is off costs nothing.
+TEST_F(Skipping, APolygonStippleConcernsPolygonsAlone) {
+  draw();
+  const std::array<GLubyte, 128> mask{0x0f};
+  gl.PolygonStipple(mask.data());
+  const legacy_gl_statistics off = draw();
+  EXPECT_EQ(off.programs_generated, 0u);
+  EXPECT_EQ(off.uniform_bytes_uploaded, 0u);
+  gl.Enable(GL_POLYGON_STIPPLE);
+  legacy_gl_reset_statistics();
+  gl.Begin(GL_LINES);
+  gl.Vertex3f(-1, 0, 0);
+  gl.Vertex3f(1, 0, 0);
+  gl.End();
+  gl.Begin(GL_POINTS);
+  gl.Vertex3f(0, 0, 0);
+  gl.End();
+  legacy_gl_flush();
+  legacy_gl_statistics statistics;
+  legacy_gl_get_statistics(&statistics);
+  EXPECT_EQ(statistics.draws, 2u);
+  EXPECT_EQ(statistics.programs_generated, 0u);
+  EXPECT_GT(draw().programs_generated, 0u);
+  EXPECT_EQ(draw().uniform_bytes_uploaded, 0u);
 }
 
 TEST_F(Skipping, MatricesThatAreNotDrawnWithAreNotDerivedFrom) {
