@@ -24,6 +24,10 @@ GLenum draw_error(Context& c, GLenum mode, bool elements) {
 /// The list that is being compiled raises errors when it is played.
 void raise(Context& c, GLenum error) { raise_error(c, error); }
 
+void draw_nothing(Context& c) {
+  if (c.recorder.inside_begin_end()) raise_error(c, GL_INVALID_OPERATION);
+}
+
 bool refused(Context& c, GLenum error) {
   if (!c.lists.compiling && c.recorder.inside_begin_end()) error = GL_INVALID_OPERATION;
   if (error == GL_NO_ERROR) return false;
@@ -34,6 +38,8 @@ bool refused(Context& c, GLenum error) {
 void draw(Context& c, const ArrayDraw& arguments) {
   if (arguments.count == 0) return;
   if (c.lists.compiling) {
+    // The list may be called inside Begin/End, where the draw is an error whatever it draws.
+    if (!c.arrays.arrays[kVertexArray].enabled) return dispatch<draw_nothing>();
     ReadableArrays readable(c);
     if (arguments.is_indexed())
       record_elements(c, readable.views(), arguments.mode, readable.elements(arguments));

@@ -35,6 +35,8 @@ TextureBase base_of(const TextureObject& texture) {
     case BaseFormat::kLuminance: return TextureBase::kLuminance;
     case BaseFormat::kLuminanceAlpha: return TextureBase::kLuminanceAlpha;
     case BaseFormat::kIntensity: return TextureBase::kIntensity;
+    case BaseFormat::kRed:
+    case BaseFormat::kRg:
     case BaseFormat::kRgb: return TextureBase::kRgb;
     case BaseFormat::kRgba: return TextureBase::kRgba;
     case BaseFormat::kDepth: return depth_base(texture.parameters.depth_mode);

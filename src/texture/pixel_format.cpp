@@ -11,6 +11,7 @@ ColorFormat color_format(GLenum format) {
     case GL_GREEN: return {1, {kGreen}};
     case GL_BLUE: return {1, {kBlue}};
     case GL_ALPHA: return {1, {kAlpha}};
+    case kRgFormat: return {2, {kRed, kGreen}};
     case GL_RGB: return {3, {kRed, kGreen, kBlue}};
     case GL_BGR: return {3, {kBlue, kGreen, kRed}};
     case GL_RGBA: return {4, {kRed, kGreen, kBlue, kAlpha}};
@@ -65,7 +66,8 @@ GLenum pixel_format_error(GLenum format, GLenum type) {
   const unsigned count = color_format(format).count;
   if (!count && !is_index && format != GL_DEPTH_COMPONENT) return GL_INVALID_ENUM;
   if (type == GL_BITMAP) return is_index ? GL_NO_ERROR : GL_INVALID_ENUM;
-  if (!bytes_per_element(type) || type == kUnsignedInt24_8) return GL_INVALID_ENUM;
+  if (type == kUnsignedInt24_8) return GL_INVALID_OPERATION;  // EXT_packed_depth_stencil
+  if (!bytes_per_element(type)) return GL_INVALID_ENUM;
   const PackedType packed = packed_type(type);
   if (!packed.bytes) return GL_NO_ERROR;
   // Three components stand for RGB alone, four for RGBA or BGRA.

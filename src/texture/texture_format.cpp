@@ -6,6 +6,7 @@ namespace {
 
 // Storage that OpenGL 1.5 does not know.
 constexpr GLenum kR8 = 0x8229, kR16 = 0x822A, kRg8 = 0x822B, kRg16 = 0x822C, kRgb565 = 0x8D62;
+constexpr GLenum kCompressedRed = 0x8225, kCompressedRg = 0x8226;
 
 }  // namespace
 
@@ -40,6 +41,14 @@ TextureFormat find_texture_format(GLint internal_format) {
     case GL_INTENSITY8: return {kIntensity, kR8, kR8};
     case GL_INTENSITY12:
     case GL_INTENSITY16: return {kIntensity, kR16, kR8};
+    case kCompressedRed: return {kRed, kR8, kR8, true};
+    case GL_RED:
+    case kR8: return {kRed, kR8, kR8};
+    case kR16: return {kRed, kR16, kR8};
+    case kCompressedRg: return {kRg, kRg8, kRg8, true};
+    case kRgFormat:
+    case kRg8: return {kRg, kRg8, kRg8};
+    case kRg16: return {kRg, kRg16, kRg8};
     case GL_COMPRESSED_RGB: return {kRgb, GL_RGB8, GL_RGB8, true};
     case 3:
     case GL_RGB:
@@ -75,8 +84,10 @@ unsigned stored_components(BaseFormat base) {
     case BaseFormat::kAlpha:
     case BaseFormat::kLuminance:
     case BaseFormat::kIntensity:
+    case BaseFormat::kRed:
     case BaseFormat::kDepth: return 1;
-    case BaseFormat::kLuminanceAlpha: return 2;
+    case BaseFormat::kLuminanceAlpha:
+    case BaseFormat::kRg: return 2;
     case BaseFormat::kRgb: return 3;
     case BaseFormat::kRgba: return 4;
   }
@@ -89,6 +100,8 @@ GLenum base_format_name(BaseFormat base) {
     case BaseFormat::kLuminance: return GL_LUMINANCE;
     case BaseFormat::kLuminanceAlpha: return GL_LUMINANCE_ALPHA;
     case BaseFormat::kIntensity: return GL_INTENSITY;
+    case BaseFormat::kRed: return GL_RED;
+    case BaseFormat::kRg: return kRgFormat;
     case BaseFormat::kRgb: return GL_RGB;
     case BaseFormat::kRgba: return GL_RGBA;
     case BaseFormat::kDepth: return GL_DEPTH_COMPONENT;
@@ -98,9 +111,10 @@ GLenum base_format_name(BaseFormat base) {
 
 int stored_channel(BaseFormat base, GLenum size_name) {
   const bool has_rgb = base == BaseFormat::kRgb || base == BaseFormat::kRgba;
+  const bool has_rg = has_rgb || base == BaseFormat::kRg;
   switch (size_name) {
-    case GL_TEXTURE_RED_SIZE: return has_rgb ? 0 : -1;
-    case GL_TEXTURE_GREEN_SIZE: return has_rgb ? 1 : -1;
+    case GL_TEXTURE_RED_SIZE: return has_rg || base == BaseFormat::kRed ? 0 : -1;
+    case GL_TEXTURE_GREEN_SIZE: return has_rg ? 1 : -1;
     case GL_TEXTURE_BLUE_SIZE: return has_rgb ? 2 : -1;
     case GL_TEXTURE_ALPHA_SIZE:
       if (base == BaseFormat::kAlpha) return 0;

@@ -13,6 +13,8 @@ enum class BaseFormat : std::uint8_t {
   kLuminance,
   kLuminanceAlpha,
   kIntensity,
+  kRed,  // these two of ARB_texture_rg: RGB whose other components are 0
+  kRg,
   kRgb,
   kRgba,
   kDepth
@@ -25,6 +27,9 @@ struct TextureFormat {
   GLenum es = 0;            ///< of OpenGL ES 3.0
   bool compressed = false;  ///< asks for compression, which we need not do (3.8.1)
 };
+
+/// ARB_texture_rg.
+inline constexpr GLenum kRgFormat = 0x8227;
 
 /// EXT_packed_depth_stencil: a depth of 24 bits above a stencil index of 8, in one word. Textures
 /// of it are read as depths, and are attached to framebuffer objects.

@@ -133,5 +133,17 @@ TEST_F(Lists, AListThatIsReplacedOrDeletedDrawsNoMore) {
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
 }
 
+TEST_F(Lists, ADrawWithoutVerticesIsAnErrorInsideBeginEnd) {
+  gl.NewList(1, GL_COMPILE);
+  gl.DrawArrays(GL_QUADS, 0, 4);
+  gl.EndList();
+  gl.CallList(1);
+  EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+  gl.Begin(GL_QUADS);
+  gl.CallList(1);
+  gl.End();
+  EXPECT_EQ(gl.GetError(), GLenum{GL_INVALID_OPERATION});
+}
+
 }  // namespace
 }  // namespace legacy_gl::test

@@ -46,7 +46,8 @@ void fill(const GlFunctions& gl) {
 }
 
 constexpr GLenum kColorFormats[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA,     GL_RGB,
-                                    GL_BGR, GL_RGBA,  GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA};
+                                    GL_BGR, GL_RGBA,  GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA,
+                                    0x8227 /* GL_RG */};
 constexpr GLenum kDepthFormats[] = {GL_DEPTH_COMPONENT, GL_STENCIL_INDEX};
 constexpr GLenum kTypes[] = {GL_BYTE,
                              GL_UNSIGNED_BYTE,
