@@ -16,6 +16,11 @@ extern "C" {
  * no texture. */
 LEGACY_GL_API GLuint LEGACY_GL_APIENTRY legacy_gl_driver_texture(GLuint texture);
 
+/** Whether the texture can be drawn into: not one with an alpha of its own beside or without
+ * luminance, which the driver stores in other channels than a fragment's. EXT_framebuffer_object
+ * asks for RGB, RGBA and depths alone. */
+LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY legacy_gl_is_renderable(GLuint texture);
+
 /** glGenerateMipmap of the texture that is bound to `target` in the active unit. */
 LEGACY_GL_API void LEGACY_GL_APIENTRY legacy_gl_generate_mipmap(GLenum target);
 

@@ -18,6 +18,13 @@ GLuint driver_texture(Context& c, GLuint name) {
   return c.backend->textures().driver_name(*texture);
 }
 
+GLboolean is_renderable(Context& c, GLuint name) {
+  const TexturePointer texture = name ? c.texture.names->find(name) : nullptr;
+  if (!texture) return GL_FALSE;
+  const BaseFormat base = texture->base();
+  return base != BaseFormat::kAlpha && base != BaseFormat::kLuminanceAlpha ? GL_TRUE : GL_FALSE;
+}
+
 void generate_mipmap(Context& c, GLenum target_name) {
   if (refused_inside(c)) return;
   const std::optional<TextureTarget> target = texture_target(target_name);
@@ -45,6 +52,9 @@ void offer_extensions(Context& c, const char* names) {
 
 LEGACY_GL_API GLuint LEGACY_GL_APIENTRY legacy_gl_driver_texture(GLuint texture) {
   return execute_now<driver_texture>(texture);
+}
+LEGACY_GL_API GLboolean LEGACY_GL_APIENTRY legacy_gl_is_renderable(GLuint texture) {
+  return execute_now<is_renderable>(texture);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY legacy_gl_generate_mipmap(GLenum target) {
   execute_now<generate_mipmap>(target);

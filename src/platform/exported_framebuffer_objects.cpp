@@ -7,6 +7,8 @@
 #include <legacy_gl/framebuffer_objects.h>
 
 #include <array>
+#include <mutex>
+#include <set>
 
 #include "platform/beside_ours.hpp"
 #include "platform/export.hpp"
@@ -16,8 +18,44 @@ using legacy_gl::platform::find_gl;
 
 namespace {
 
+/// The driver's names of textures that were attached and cannot be drawn into.
+std::mutex unrenderable_mutex;
+std::set<GLuint>& unrenderable() {
+  static auto& names = *new std::set<GLuint>;  // never destroyed: a program may call until its end
+  return names;
+}
+
 GLuint driver_name(GLuint texture) {
-  return texture && legacy_gl_get_current() ? legacy_gl_driver_texture(texture) : texture;
+  if (!texture || !legacy_gl_get_current()) return texture;
+  const GLuint name = legacy_gl_driver_texture(texture);
+  const std::lock_guard lock(unrenderable_mutex);
+  if (legacy_gl_is_renderable(texture)) unrenderable().erase(name);
+  else unrenderable().insert(name);
+  return name;
+}
+
+/// Of the framebuffer object that the driver has bound.
+bool has_unrenderable_texture(GLenum target) {
+  const std::lock_guard lock(unrenderable_mutex);
+  if (unrenderable().empty()) return false;
+  const auto ask = reinterpret_cast<decltype(&glGetFramebufferAttachmentParameteriv)>(
+      find_gl("glGetFramebufferAttachmentParameteriv"));
+  GLint attachments = 0;
+  glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attachments);
+  for (GLint i = 0; i < attachments; ++i) {
+    const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    GLint type = GL_NONE, name = 0;
+    ask(target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type != GL_TEXTURE) continue;
+    ask(target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    if (unrenderable().contains(static_cast<GLuint>(name))) return true;
+  }
+  return false;
+}
+
+GLenum framebuffer_status(GLenum target) {
+  const BesideOurs beside;
+  LEGACY_GL_CALL_DRIVER(find_gl, GLenum, glCheckFramebufferStatus, (target));
 }
 
 GLenum driver_target(GLenum target) {
@@ -92,6 +130,14 @@ LEGACY_GL_EXPORT void APIENTRY glFramebufferTextureLayer(GLenum target, GLenum a
   const BesideOurs beside;
   LEGACY_GL_CALL_DRIVER(find_gl, void, glFramebufferTextureLayer,
                         (target, attachment, name, level, layer));
+}
+
+LEGACY_GL_EXPORT GLenum APIENTRY glCheckFramebufferStatus(GLenum target) {
+  const GLenum status = framebuffer_status(target);
+  return status == GL_FRAMEBUFFER_COMPLETE && legacy_gl_get_current() &&
+                 has_unrenderable_texture(target)
+             ? GLenum{GL_FRAMEBUFFER_UNSUPPORTED}
+             : status;
 }
 
 LEGACY_GL_EXPORT void APIENTRY glGenerateMipmap(GLenum target) {

@@ -241,6 +241,13 @@ TEST(Glx, FramebufferObjectsOfTheFirstExtension) {
   draw_lit_square(0.25f, 0.5f, 0.75f);
   EXPECT_EQ(pixel(10, 10), lit(0.25f, 0.5f, 0.75f));
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+  // Where alpha lies in another channel than a fragment's, nothing can be drawn.
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE_ALPHA, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+  function<PFNGLFRAMEBUFFERTEXTURE2DEXTPROC>("glFramebufferTexture2DEXT")(
+      GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, texture, 0);
+  EXPECT_EQ(function<PFNGLCHECKFRAMEBUFFERSTATUSEXTPROC>("glCheckFramebufferStatusEXT")(
+                GL_FRAMEBUFFER_EXT),
+            static_cast<GLenum>(GL_FRAMEBUFFER_UNSUPPORTED_EXT));
   bind_framebuffer(GL_FRAMEBUFFER_EXT, 0);
 }
 
