@@ -31,9 +31,10 @@ def install(packages):
 
 @contextlib.contextmanager
 def x_server(size="640x480"):
-    """An X server; yields its display."""
+    """An X server; yields its display. It does not start anew when its last client leaves: SDL opens the display
+    twice, and the second time would meet that."""
     reader, writer = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24", "-nolisten", "tcp"],
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24", "-nolisten", "tcp", "-noreset"],
                               pass_fds=[writer], stderr=subprocess.DEVNULL)
     os.close(writer)
     with os.fdopen(reader) as pipe:
