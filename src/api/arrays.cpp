@@ -130,12 +130,11 @@ unsigned pointer_index(GLenum name, unsigned client_unit) {
 void get_pointer(Context& c, GLenum name, void** pointer) {
   if (inside(c)) return;
   const unsigned array = pointer_index(name, c.client_active_texture);
-  // glFeedbackBuffer is not built: its pointer is the initial one.
   const bool feedback = name == GL_FEEDBACK_BUFFER_POINTER;
   const bool selection = name == GL_SELECTION_BUFFER_POINTER;
   if (array == kArrayCount && !feedback && !selection) return raise_error(c, GL_INVALID_ENUM);
   if (!pointer) return;
-  if (feedback) *pointer = nullptr;
+  if (feedback) *pointer = c.feedback.buffer;
   else if (selection) *pointer = c.selection.buffer;
   else *pointer = const_cast<void*>(c.arrays.arrays[array].pointer);
 }

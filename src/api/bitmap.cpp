@@ -5,6 +5,7 @@
 
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "immediate/feedback_batch.hpp"
 #include "texture/bitmap_image.hpp"
 
 using namespace legacy_gl;
@@ -24,7 +25,8 @@ void bitmap(Context& c, const BitmapImage* image, Origin origin, Origin move) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   RasterPosition& raster = c.current.raster;
   if (!raster.valid) return;
-  if (image && !c.selection.is_selecting()) {
+  if (c.selection.is_feeding_back()) feed_back_raster_position(c, GL_BITMAP_TOKEN);
+  if (image && c.selection.is_rendering()) {
     if (c.recorder.has_pending()) draw_pending(c);
     c.backend->add_bitmap(c, first_pixel(raster.position.x, origin.x),
                           first_pixel(raster.position.y, origin.y), *image);

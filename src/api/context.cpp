@@ -9,6 +9,7 @@
 #include "api/unbuilt.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "immediate/feedback_batch.hpp"
 #include "immediate/select_batch.hpp"
 #include "state/framebuffer.hpp"
 
@@ -103,14 +104,14 @@ void report_unbuilt(const char* name) {
 
 void leave_matrices(Context& context) {
   if (!context.recorder.has_pending() || context.recorder.all_lit()) return;
-  // Selection takes vertices as they were given.
   if (light_object(context)) return;
-  if (context.selection.is_selecting() || !context.backend->transform_recorded(context))
+  // Selection and feedback take vertices as they were given.
+  if (!context.selection.is_rendering() || !context.backend->transform_recorded(context))
     draw_pending(context);
 }
 
 bool light_object(Context& context) {
-  return !context.selection.is_selecting() && !context.bitmaps_pending &&
+  return context.selection.is_rendering() && !context.bitmaps_pending &&
          context.backend->light_recorded(context);
 }
 
@@ -121,15 +122,24 @@ void leave_lighting(Context& context) {
 
 bool stays_lit(Context& context) { return context.backend->stays_lit(context); }
 
+namespace {
+
+void without_rendering(Context& context) {
+  if (context.selection.is_selecting()) select_recorded(context);
+  else feed_back_recorded(context);
+}
+
+}  // namespace
+
 void draw_pending(Context& context) {
   if (context.recorder.inside_begin_end()) return;
-  if (context.selection.is_selecting()) return select_recorded(context);
+  if (!context.selection.is_rendering()) return without_rendering(context);
   if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
   if (context.recorder.has_pending()) context.backend->draw_recorded(context, true);
 }
 
 void draw_part_of_batch(Context& context) {
-  if (context.selection.is_selecting()) return select_recorded(context);
+  if (!context.selection.is_rendering()) return without_rendering(context);
   if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
   context.backend->draw_recorded(context, false);
 }

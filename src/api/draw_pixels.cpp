@@ -6,6 +6,7 @@
 #include "backend/backend.hpp"
 #include "backend/read_pixels.hpp"
 #include "dlist/dispatch.hpp"
+#include "immediate/feedback_batch.hpp"
 #include "texture/pixel_format.hpp"
 #include "texture/recorded_pixels.hpp"
 
@@ -62,9 +63,9 @@ void draw(Context& c, const PixelCall& call, const PixelStore& store, const void
 
 void draw_pixels(Context& c, const PixelCall& call, const PixelStore& store, const void* pixels) {
   if (const GLenum error = draw_error(c, call)) return raise_error(c, error);
-  if (!c.current.raster.valid || c.selection.is_selecting() || !pixels || !call.width ||
-      !call.height)
-    return;
+  if (!c.current.raster.valid) return;
+  if (c.selection.is_feeding_back()) feed_back_raster_position(c, GL_DRAW_PIXEL_TOKEN);
+  if (!c.selection.is_rendering() || !pixels || !call.width || !call.height) return;
   PixelStore applied = store;
   applied.skip_images = applied.image_height = 0;
   try {
@@ -117,7 +118,9 @@ void copy_pixels(Context& c, PixelRectangle from, GLenum type) {
     diagnose(c, "glCopyPixels: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
   }
-  if (!c.current.raster.valid || c.selection.is_selecting() || !from.width || !from.height) return;
+  if (!c.current.raster.valid) return;
+  if (c.selection.is_feeding_back()) feed_back_raster_position(c, GL_COPY_PIXEL_TOKEN);
+  if (!c.selection.is_rendering() || !from.width || !from.height) return;
   const GLenum element = format == kDepthStencil      ? kUnsignedInt24_8
                          : format == GL_STENCIL_INDEX ? GL_UNSIGNED_BYTE
                          : format == GL_RGBA && !c.pixels.changes_colors() && !reads_floats(driver)

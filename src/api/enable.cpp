@@ -53,7 +53,7 @@ void clear(Context& c, GLbitfield mask) {
       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
   if (mask & ~kKnown) return raise_error(c, GL_INVALID_VALUE);
   flush_pending(c);
-  if (c.selection.is_selecting()) return;
+  if (!c.selection.is_rendering()) return;
   if (mask & GL_ACCUM_BUFFER_BIT && has_accumulation_buffer(c)) c.backend->clear_accumulation(c);
   c.backend->apply_raster(c);
   c.backend->driver.Clear(mask & ~GLbitfield{GL_ACCUM_BUFFER_BIT});

@@ -10,14 +10,6 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineStipple(GLint, GLushort) {
   report_unbuilt("glLineStipple");
 }
 
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglFeedbackBuffer(GLsizei, GLenum, GLfloat *) {
-  report_unbuilt("glFeedbackBuffer");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPassThrough(GLfloat) {
-  report_unbuilt("glPassThrough");
-}
-
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void *) {
   report_unbuilt("glCompressedTexImage3D");
 }

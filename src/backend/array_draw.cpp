@@ -82,8 +82,7 @@ bool draws_from_mapped_buffer(Context& context, bool elements) {
 void draw_arrays(Context& context, const ArrayDraw& draw) {
   if (!context.arrays.arrays[kVertexArray].enabled) return;
   Backend& backend = *context.backend;
-  const bool selecting = context.selection.is_selecting();
-  if (!selecting &&
+  if (context.selection.is_rendering() &&
       (backend.draw_from_buffers(context, draw) || backend.draw_streamed(context, draw)))
     return;
   ReadableArrays readable(context);

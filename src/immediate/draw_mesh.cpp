@@ -51,7 +51,7 @@ void record_mesh(Context& context, const ListMesh& mesh) {
 void draw_mesh(Context& context, const ListMesh& mesh) {
   if (context.recorder.inside_begin_end()) return raise_error(context, GL_INVALID_OPERATION);
   const PolygonState& polygon = context.raster.polygon;
-  if (is_unfilled(polygon) || context.selection.is_selecting()) return record_mesh(context, mesh);
+  if (is_unfilled(polygon) || !context.selection.is_rendering()) return record_mesh(context, mesh);
   draw_kept_mesh(context, mesh);
 }
 

@@ -5,7 +5,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "immediate/texture_coordinates.hpp"
+#include "immediate/window_coordinates.hpp"
 #include "lighting/lit_vertex.hpp"
+#include "lighting/setters.hpp"
 
 namespace legacy_gl::execute {
 
@@ -34,18 +37,6 @@ float fog_distance(const Context& c, float distance) {
   return c.fog.coordinate_source == GL_FOG_COORD ? c.current.fog_coordinate : distance;
 }
 
-glm::vec3 to_window(const ViewportState& viewport, const glm::vec4& clip) {
-  const glm::vec3 device = glm::vec3(clip) * (clip.w == 0 ? 1.0f : 1.0f / clip.w);
-  const auto& box = viewport.box;
-  const float half_width = 0.5f * static_cast<float>(box[2]);
-  const float half_height = 0.5f * static_cast<float>(box[3]);
-  const auto depth_scale = static_cast<float>(0.5 * (viewport.depth_far - viewport.depth_near));
-  const auto depth_middle = static_cast<float>(0.5 * (viewport.depth_far + viewport.depth_near));
-  return {device.x * half_width + (half_width + static_cast<float>(box[0])),
-          device.y * half_height + (half_height + static_cast<float>(box[1])),
-          device.z * depth_scale + depth_middle};
-}
-
 }  // namespace
 
 void raster_position(Context& c, float x, float y, float z, float w) {
@@ -60,7 +51,8 @@ void raster_position(Context& c, float x, float y, float z, float w) {
   raster.distance = fog_distance(c, glm::length(glm::vec3(eye)));
   hit(c);
   if (c.lighting.enabled) {
-    const LitColor lit = light_vertex(c, object, c.current.normal, kFront);
+    latch_color_material(c);
+    const LitColor lit = light_vertex(c, c.lighting.materials, object, c.current.normal, kFront);
     raster.color = lit.primary;
     raster.secondary_color = lit.secondary;
   } else {
@@ -69,8 +61,8 @@ void raster_position(Context& c, float x, float y, float z, float w) {
   }
   raster.index = c.current.index;
   for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
-    raster.texture_coordinates[unit] =
-        c.transform.texture[unit].top().single * c.current.texture_coordinates[unit];
+    raster.texture_coordinates[unit] = transformed_texture_coordinates(
+        c, unit, object, c.current.normal, c.current.texture_coordinates[unit]);
 }
 
 void window_position(Context& c, float x, float y, float z) {

@@ -93,6 +93,11 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
       if (layout.texcoords & 1u << unit && is_wide(context.current.texture_coordinates[unit]))
         layout.wide_texcoords |= static_cast<std::uint8_t>(1u << unit);
   }
+  if (context.selection.is_feeding_back() && context.feedback.has_texture()) {
+    layout.fields |= kFieldNormal;
+    layout.texcoords |= 1;
+    layout.wide_texcoords |= 1;
+  }
   return layout;
 }
 

@@ -1,10 +1,10 @@
 #include "immediate/select_batch.hpp"
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <vector>
 
 #include "immediate/unfilled.hpp"
+#include "immediate/view_volume.hpp"
 #include "state/context.hpp"
 
 namespace legacy_gl {
@@ -16,18 +16,8 @@ using Polygon = std::vector<glm::vec4>;  ///< clip coordinates
 /// Polygons hit as filled ones whatever their mode is: row D22.
 class Selector {
  public:
-  explicit Selector(Context& context) : context_(context) {
+  explicit Selector(Context& context) : context_(context), planes_(clipping_planes(context)) {
     to_clip_ = context.transform.projection.top().single * context.transform.modelview.top().single;
-    for (int axis = 0; axis < 3; ++axis)
-      for (float side : {-1.0f, 1.0f}) {
-        glm::vec4 plane(0, 0, 0, 1);
-        plane[axis] = side;
-        planes_.push_back(plane);
-      }
-    const glm::dmat4 to_eye = glm::inverse(glm::dmat4(context.transform.projection.top().exact));
-    const ClipPlanes& clip = context.transform.clip;
-    for (unsigned i = 0; i < kMaxClipPlanes; ++i)
-      if (clip.enabled >> i & 1) planes_.emplace_back(clip.planes_eye[i] * to_eye);
   }
 
   void run(const PrimitiveRun& run) {
@@ -113,8 +103,8 @@ class Selector {
   }
 
   Context& context_;
+  std::vector<glm::vec4> planes_;
   glm::mat4 to_clip_;
-  std::vector<glm::vec4> planes_;  ///< the view volume is where all are positive
   Polygon polygon_, clipped_;
 };
 

@@ -3,54 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/vec2.hpp>
+
+#include "immediate/polygon_triangles.hpp"
+#include "immediate/window_coordinates.hpp"
 
 namespace legacy_gl {
 
 namespace {
-
-/// Edges of a triangle a, b, c that are edges of the polygon too.
-enum Edge : unsigned { kEdgeAB = 1, kEdgeBC = 2, kEdgeCA = 4, kAllEdges = 7 };
-
-/// Calls visit(a, b, c, edges) for each triangle of a primitive's k-th vertices, the provoking
-/// vertex last (GL 2.1 spec 2.14.7, table 2.12).
-template <typename Visit>
-void for_each_triangle(GLenum mode, std::uint32_t count, Visit visit) {
-  switch (mode) {
-    case GL_TRIANGLES:
-      for (std::uint32_t i = 0; i + 2 < count; i += 3) visit(i, i + 1, i + 2, kAllEdges);
-      break;
-    case GL_TRIANGLE_STRIP:
-      for (std::uint32_t i = 0; i + 2 < count; ++i)
-        visit(i + i % 2, i + 1 - i % 2, i + 2, kAllEdges);
-      break;
-    case GL_TRIANGLE_FAN:
-      for (std::uint32_t i = 1; i + 1 < count; ++i) visit(0, i, i + 1, kAllEdges);
-      break;
-    case GL_QUADS:
-      for (std::uint32_t i = 0; i + 3 < count; i += 4) {
-        visit(i, i + 1, i + 3, kEdgeAB | kEdgeCA);
-        visit(i + 1, i + 2, i + 3, kEdgeAB | kEdgeBC);
-      }
-      break;
-    case GL_QUAD_STRIP:
-      for (std::uint32_t i = 0; i + 3 < count; i += 2) {
-        visit(i + 2, i, i + 3, kEdgeAB | kEdgeCA);
-        visit(i, i + 1, i + 3, kEdgeAB | kEdgeBC);
-      }
-      break;
-    case GL_POLYGON:
-      for (std::uint32_t i = 1; i + 1 < count; ++i)
-        visit(i, i + 1, 0, kEdgeAB | (i == 1 ? kEdgeCA : 0u) | (i + 2 == count ? kEdgeBC : 0u));
-      break;
-    default: break;
-  }
-}
-
-/// Edge flags matter to separate triangles, quads and polygons alone (GL 2.1 spec 2.6.2).
-bool uses_edge_flags(GLenum mode) {
-  return mode == GL_TRIANGLES || mode == GL_QUADS || mode == GL_POLYGON;
-}
 
 bool joins_with_next(GLenum mode) {
   return mode == GL_POINTS || mode == GL_LINES || mode == GL_TRIANGLES;
@@ -80,9 +39,6 @@ class Expander {
     const bool offset = offset_[0] || offset_[1];
     needs_facing_ = modes_[0] != modes_[1] || culls_[0] != culls_[1] || state.two_side;
     if (needs_facing_ || offset) transform_vertices();
-    const std::array<GLint, 4>& box = state.viewport.box;
-    half_size_ = glm::vec2(static_cast<float>(box[2]), static_cast<float>(box[3])) / 2.0f;
-    center_ = half_size_ + glm::vec2(static_cast<float>(box[0]), static_cast<float>(box[1]));
 
     out_.layout = batch.layout;
     out_.layout.fields &= static_cast<std::uint16_t>(~kFieldEdgeFlag);
@@ -131,23 +87,10 @@ class Expander {
         triangle.edges &= ~(1u << i);
   }
 
-  glm::vec2 window(const glm::vec4& clip) const {
-    return glm::vec2(clip) * (1 / clip.w) * half_size_ + center_;
-  }
-
-  /// Positive for front faces, in window coordinates (GL 2.1 spec 2.14.1). Single precision, so
-  /// that what the window cannot show has no area; the homogeneous form serves vertices behind the
-  /// eye.
+  /// Positive for front faces.
   double facing(const Triangle& triangle) const {
-    const glm::vec4 &a = out_.clip[triangle.vertex[0]], &b = out_.clip[triangle.vertex[1]],
-                    &c = out_.clip[triangle.vertex[2]];
-    double area = 0;
-    if (a.w > 0 && b.w > 0 && c.w > 0) {
-      const glm::vec2 e = window(a) - window(c), f = window(b) - window(c);
-      area = static_cast<double>(e.x * f.y - e.y * f.x);
-    } else {
-      area = determinant({a.x, a.y, a.w}, {b.x, b.y, b.w}, {c.x, c.y, c.w});
-    }
+    const double area = signed_area(state_.viewport, out_.clip[triangle.vertex[0]],
+                                    out_.clip[triangle.vertex[1]], out_.clip[triangle.vertex[2]]);
     return state_.polygon.front_face == GL_CCW ? area : -area;
   }
 
@@ -262,7 +205,6 @@ class Expander {
   std::array<GLenum, 2> modes_{};  ///< by face: front, back
   std::array<bool, 2> culls_{}, offset_{};
   bool needs_facing_ = false;
-  glm::vec2 half_size_{1}, center_{0};  ///< of the viewport, in window coordinates
 };
 
 }  // namespace

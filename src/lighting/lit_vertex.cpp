@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "lighting/setters.hpp"
 #include "matrix/lighting_space.hpp"
+#include "state/context.hpp"
 
 namespace legacy_gl {
 
@@ -21,14 +21,6 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 glm::dvec3 from_homogeneous(const glm::dvec4& v) {
   return v.w != 0 ? glm::dvec3(v) / v.w : glm::dvec3(v);
-}
-
-glm::dvec3 eye_normal(const Context& context, const glm::vec3& normal, unsigned face) {
-  const LinearPart linear = analyse(glm::dmat3(context.transform.modelview.top().exact));
-  glm::dvec3 n = linear.inverse_transpose * glm::dvec3(normal);
-  if (context.transform.normalize_enabled) n = unit(n);
-  else if (context.transform.rescale_normal_enabled) n *= linear.rescale_factor;
-  return face == kBack ? -n : n;
 }
 
 double power(double base, double exponent) { return exponent == 0 ? 1 : std::pow(base, exponent); }
@@ -52,14 +44,21 @@ glm::dvec3 rgb(const glm::vec4& color) { return {color.r, color.g, color.b}; }
 
 }  // namespace
 
-LitColor light_vertex(Context& context, const glm::vec4& position, const glm::vec3& normal,
-                      unsigned face) {
-  latch_color_material(context);
+glm::dvec3 eye_normal(const Context& context, const glm::vec3& normal) {
+  const LinearPart linear = analyse(glm::dmat3(context.transform.modelview.top().exact));
+  glm::dvec3 n = linear.inverse_transpose * glm::dvec3(normal);
+  if (context.transform.normalize_enabled) n = unit(n);
+  else if (context.transform.rescale_normal_enabled) n *= linear.rescale_factor;
+  return n;
+}
+
+LitColor light_vertex(const Context& context, const Materials& materials, const glm::vec4& position,
+                      const glm::vec3& normal, unsigned face) {
   const LightingState& lighting = context.lighting;
-  const Material& material = lighting.materials[face];
+  const Material& material = materials[face];
   const glm::dvec4 eye = context.transform.modelview.top().exact * glm::dvec4(position);
   const glm::dvec3 vertex = from_homogeneous(eye);
-  const glm::dvec3 n = eye_normal(context, normal, face);
+  const glm::dvec3 n = eye_normal(context, normal) * (face == kBack ? -1.0 : 1.0);
   const glm::dvec3 to_viewer = lighting.model.local_viewer ? unit(-vertex) : glm::dvec3(0, 0, 1);
 
   glm::dvec3 primary = rgb(material.emission) + rgb(lighting.model.ambient) * rgb(material.ambient);

@@ -18,6 +18,7 @@
 #include "state/clip_planes.hpp"
 #include "state/current.hpp"
 #include "state/dirty.hpp"
+#include "state/feedback.hpp"
 #include "state/fog.hpp"
 #include "state/pixel_state.hpp"
 #include "state/raster.hpp"
@@ -62,6 +63,7 @@ struct legacy_gl_context {
   legacy_gl::TextureState texture;
   legacy_gl::HintState hints;
   legacy_gl::SelectionState selection;
+  legacy_gl::FeedbackState feedback;
   legacy_gl::EvaluatorState evaluators;
   legacy_gl::PixelStore pack, unpack;
   legacy_gl::PixelState pixels;
@@ -102,8 +104,8 @@ void raise_error(Context& context, GLenum error);
 /// Says once for each message what a program asked for that this library does not do.
 void diagnose(Context& context, const std::string& message);
 
-/// Draws what is recorded, primitives or bitmaps; in selection it only hits. Every setter calls it
-/// before it stores a value that differs.
+/// Draws what is recorded, primitives or bitmaps; in selection it only hits, and in feedback it is
+/// written. Every setter calls it before it stores a value that differs.
 void draw_pending(Context& context);
 /// The recorder is full: what it has is drawn, and more of the same state follows.
 void draw_part_of_batch(Context& context);

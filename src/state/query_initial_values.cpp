@@ -26,11 +26,6 @@ constexpr Query kTexture[] = {
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
 };
 
-constexpr Query kFeedback[] = {
-    {GL_FEEDBACK_BUFFER_SIZE, kInteger, fixed<0>},
-    {GL_FEEDBACK_BUFFER_TYPE, kInteger, fixed<GL_2D>},
-};
-
 /// What no driver under this library has: colour index mode and auxiliary buffers.
 constexpr Query kAbsentBuffers[] = {
     {GL_RGBA_MODE, kBoolean, fixed<1>},
@@ -42,7 +37,7 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture, kFeedback,
+  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture,
                                                        kAbsentBuffers};
   return kGroups;
 }

@@ -325,6 +325,9 @@ constexpr Query kSelection[] = {
      [](Context&, QueryValues& v) { v.put(SelectionState::kMaxNames); }},
     {GL_SELECTION_BUFFER_SIZE, kInteger,
      [](Context& c, QueryValues& v) { v.put(number(c.selection.buffer_size)); }},
+    {GL_FEEDBACK_BUFFER_SIZE, kInteger,
+     [](Context& c, QueryValues& v) { v.put(number(c.feedback.buffer_size)); }},
+    {GL_FEEDBACK_BUFFER_TYPE, kInteger, [](Context& c, QueryValues& v) { v.put(c.feedback.type); }},
 };
 
 constexpr Query kListsAndHints[] = {

@@ -10,8 +10,8 @@ namespace legacy_gl {
 struct SelectionState {
   static constexpr unsigned kMaxNames = 64;
 
-  GLenum render_mode = GL_RENDER;  ///< GL_RENDER or GL_SELECT
-  GLuint* buffer = nullptr;        ///< the application's
+  GLenum render_mode = GL_RENDER;
+  GLuint* buffer = nullptr;  ///< the application's
   std::size_t buffer_size = 0;
   std::size_t written = 0;  ///< values that hit records have asked for; more than fit: overflow
   GLint hits = 0;
@@ -20,6 +20,8 @@ struct SelectionState {
   std::array<GLuint, kMaxNames> names{};
   unsigned name_count = 0;
 
+  bool is_rendering() const { return render_mode == GL_RENDER; }
+  bool is_feeding_back() const { return render_mode == GL_FEEDBACK; }
   bool is_selecting() const { return render_mode == GL_SELECT; }
   void add_hit(float window_depth);
   /// A record for what was hit; the names are about to change.

@@ -50,6 +50,12 @@ void start_selection(const GlFunctions& gl) {
   gl.RenderMode(GL_SELECT);
 }
 
+void start_feedback(const GlFunctions& gl) {
+  static GLfloat values[16];
+  gl.FeedbackBuffer(16, GL_2D, values);
+  gl.RenderMode(GL_FEEDBACK);
+}
+
 constexpr GLuint name_1[] = {1};
 const void* const index_arrays[] = {memory};
 const GLubyte* const pixels = kBytes.data();

@@ -65,10 +65,61 @@ void set_view(const GlFunctions& gl) {
   gl.Translatef(0.2F, 0.1F, -3);
 }
 
+void generate_texture_coordinates(const GlFunctions& gl, GLenum mode) {
+  constexpr GLfloat plane[] = {0.5F, 1, 0.25F, 0.125F};
+  set_view(gl);
+  gl.Rotatef(30, 1, 2, 0);
+  gl.Normal3f(0.6F, 0, 0.8F);
+  gl.TexCoord4f(1, 2, 3, 1);
+  gl.TexGenfv(GL_S, GL_OBJECT_PLANE, plane);
+  gl.TexGenfv(GL_T, GL_EYE_PLANE, plane);
+  gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, static_cast<GLint>(mode));
+  gl.TexGeni(GL_T, GL_TEXTURE_GEN_MODE, static_cast<GLint>(mode));
+  gl.Enable(GL_TEXTURE_GEN_S);
+  gl.Enable(GL_TEXTURE_GEN_T);
+  gl.MatrixMode(GL_TEXTURE);
+  gl.Scalef(2, 3, 1);
+  gl.MatrixMode(GL_MODELVIEW);
+}
+
 }  // namespace
 
 TEST_F(RasterPosition, InitialState) {
   compare([](const GlFunctions&) {});
+}
+
+TEST_F(RasterPosition, GeneratesTextureCoordinates) {
+  static GLenum mode;
+  for (mode = GL_EYE_LINEAR; mode <= GL_OBJECT_LINEAR; ++mode) {
+    SCOPED_TRACE(mode);
+    compare([](const GlFunctions& gl) {
+      generate_texture_coordinates(gl, mode);
+      gl.RasterPos3f(0.3F, -0.4F, 0.5F);
+    });
+  }
+}
+
+// Row M17: Mesa takes another normal, though not for vertices: feedback of points is compared with
+// its own in feedback_test.cpp.
+TEST_F(RasterPosition, GeneratesThemAsVerticesDo) {
+  for (const GLenum mode : {GLenum{GL_SPHERE_MAP}, GLenum{GL_EYE_LINEAR}}) {
+    ours_.recreate();
+    const GlFunctions& gl = ours_.gl;
+    std::array<GLfloat, 13> fed_back{};
+    generate_texture_coordinates(gl, mode);
+    gl.FeedbackBuffer(static_cast<GLsizei>(fed_back.size()), GL_4D_COLOR_TEXTURE, fed_back.data());
+    gl.RenderMode(GL_FEEDBACK);
+    gl.Begin(GL_POINTS);
+    gl.Vertex3f(0.3F, -0.4F, 0.5F);
+    gl.End();
+    ASSERT_EQ(gl.RenderMode(GL_RENDER), 13);
+    gl.RasterPos3f(0.3F, -0.4F, 0.5F);
+    const RasterState state = read_state(gl);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(state.position[i], fed_back[1 + i]) << i;
+      EXPECT_EQ(state.texture[i], fed_back[9 + i]) << i;
+    }
+  }
 }
 
 TEST_F(RasterPosition, IsTransformed) {
