@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -63,6 +64,7 @@ void make_ours(DropInContext& context, legacy_gl_loader loader) {
   legacy_gl_options options{};
   options.share = shares_with(context);
   options.accumulation_buffer = context.accumulation_buffer;
+  options.cache_directory = std::getenv("LEGACY_GL_CACHE_DIR");
   legacy_gl_status status = LEGACY_GL_OK;
   context.ours = legacy_gl_create_context(loader, &options, &status);
   if (context.ours) return;
@@ -100,6 +102,12 @@ void enter(const Shared& next, legacy_gl_loader loader) {
 }
 
 }  // namespace
+
+void report_old_driver() {
+  static std::atomic<bool> said = false;
+  if (!said.exchange(true))
+    std::fprintf(stderr, "legacy_gl: the driver gives no OpenGL 3.3 core context\n");
+}
 
 void adopt(DriverContext made, DriverContext share, bool accumulation_buffer) {
   const Shared other = share ? find(share) : nullptr;

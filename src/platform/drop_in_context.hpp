@@ -10,6 +10,9 @@ namespace legacy_gl::platform {
 /// A GLXContext or an EGLContext.
 using DriverContext = void*;
 
+/// The driver is too old: said once, on stderr.
+void report_old_driver();
+
 /// The program asked for a legacy context, and `made` is the driver's core context in its place.
 /// `share`: what the program shares with, or nullptr. `accumulation_buffer`: its configuration has
 /// one.

@@ -3,7 +3,6 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <cstdio>
 #include <vector>
 
 #include "platform/drop_in_context.hpp"
@@ -60,7 +59,7 @@ LEGACY_GL_EXPORT EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config,
        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE});
   const EGLContext context = create(dpy, config, share_context, attributes.others.data());
   if (context != EGL_NO_CONTEXT) adopt(context, share_context);
-  else std::fprintf(stderr, "legacy_gl: the driver gives no OpenGL 3.3 core context\n");
+  else report_old_driver();
   return context;
 }
 

@@ -87,7 +87,7 @@ GLXContext create_core(Display* display, GLXFBConfig config, GLXContext share, B
     context = create(display, config, share, direct, attributes.data());
   }
   if (context) adopt(context, share, has_accumulation_buffer(display, config));
-  else std::fprintf(stderr, "legacy_gl: the driver gives no OpenGL 3.3 core context\n");
+  else report_old_driver();
   return context;
 }
 

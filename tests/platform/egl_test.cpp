@@ -8,6 +8,20 @@
 namespace legacy_gl::test {
 namespace {
 
+// With MESA_GL_VERSION_OVERRIDE=2.1.
+TEST(OldDriver, GivesNoContextByEgl) {
+  const EGLDisplay display =
+      eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  ASSERT_TRUE(eglInitialize(display, nullptr, nullptr));
+  const EGLint attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  ASSERT_TRUE(eglChooseConfig(display, attributes, &config, 1, &count));
+  eglBindAPI(EGL_OPENGL_API);
+  EXPECT_EQ(eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr), EGL_NO_CONTEXT);
+  EXPECT_NE(eglGetError(), EGL_SUCCESS);
+}
+
 class Egl : public testing::Test {
  protected:
   void SetUp() override {

@@ -3,6 +3,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "platform/window.hpp"
 
 #include <GL/glxext.h>
@@ -323,14 +326,55 @@ TEST(Faults, ContextOfAnotherThreadIsRefused) {
   EXPECT_EQ(pixel(10, 10), lit(0.5f, 0, 0));
 }
 
+TEST(Faults, ContextsThatShareGoInAnyOrder) {
+  const Window window;
+  auto first = std::make_unique<OldContext>(window);
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  const std::array<GLubyte, 4> texel{255, 0, 255, 255};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
+  const auto second = std::make_unique<OldContext>(window, first->name);
+  first.reset();  // which makes none current
+  ASSERT_TRUE(glXMakeCurrent(display(), window.name, second->name));
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glEnable(GL_TEXTURE_2D);
+  draw_lit_square(0, 0, 0);
+  EXPECT_EQ(pixel(10, 10), (std::array<int, 3>{255, 0, 255}));
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+// LEGACY_GL_CACHE_DIR: compiled programs outlive the process.
+TEST(Glx, ProgramsAreKeptInTheDirectoryOfTheEnvironment) {
+  const std::filesystem::path directory =
+      std::filesystem::temp_directory_path() / ("legacy_gl_cache_" + std::to_string(getpid()));
+  setenv("LEGACY_GL_CACHE_DIR", directory.c_str(), 1);
+  {
+    const Window window;
+    const OldContext context(window);
+    draw_lit_square(0.5f, 0.25f, 0);
+    EXPECT_EQ(pixel(10, 10), lit(0.5f, 0.25f, 0));
+  }
+  unsetenv("LEGACY_GL_CACHE_DIR");
+  EXPECT_FALSE(std::filesystem::is_empty(directory));
+  std::filesystem::remove_all(directory);
+}
+
 // With MESA_GL_VERSION_OVERRIDE=2.1.
 TEST(OldDriver, GivesNoContextAndSaysWhy) {
   const Window window;
   testing::internal::CaptureStderr();
-  const GLXContext context = glXCreateContext(display(), window.visual, nullptr, True);
-  EXPECT_EQ(context, nullptr);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("no OpenGL 3.3 core context"),
-            std::string::npos);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(glXCreateContext(display(), window.visual, nullptr, True), nullptr);
+  const std::string said = testing::internal::GetCapturedStderr();
+  const std::size_t at = said.find("no OpenGL 3.3 core context");
+  EXPECT_NE(at, std::string::npos) << said;
+  EXPECT_EQ(said.find("no OpenGL 3.3 core context", at + 1), std::string::npos) << "once";
+  glColor3f(1, 0, 0);  // programs that do not look at what they got
+  EXPECT_FALSE(glXMakeCurrent(display(), window.name, nullptr) &&
+               glXGetCurrentContext() != nullptr);
 }
 
 }  // namespace
