@@ -71,6 +71,9 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   // Table 6.x: viewport and scissor box start as the size of the window, which the driver knows.
   driver.GetIntegerv(GL_VIEWPORT, context->raster.viewport.box.data());
   driver.GetIntegerv(GL_SCISSOR_BOX, context->raster.scissor.box.data());
+  GLfloat point_sizes[2] = {1, 1};
+  driver.GetFloatv(driver.is_es() ? GL_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, point_sizes);
+  context->raster.point.size_max = point_sizes[1];
   context->raster.color_buffer.draw_buffer = context->read_buffer = initial_color_buffer(*context);
   return LEGACY_GL_OK;
 }

@@ -125,6 +125,41 @@ void point_size(Context& c, float size) {
   if (refused(c, size > 0, GL_INVALID_VALUE)) return;
   assign(c, c.raster.point.size, size, kDirtyRaster | kDirtyTransform);
 }
+unsigned point_parameter_count(GLenum pname) {
+  switch (pname) {
+    case GL_POINT_SIZE_MIN:
+    case GL_POINT_SIZE_MAX:
+    case GL_POINT_FADE_THRESHOLD_SIZE: return 1;
+    case GL_POINT_DISTANCE_ATTENUATION: return 3;
+    default: return 0;
+  }
+}
+using Floats3 = std::array<float, 3>;
+void point_parameter(Context& c, GLenum pname, Floats3 values) {
+  const bool negative = pname != GL_POINT_DISTANCE_ATTENUATION && values[0] < 0;
+  if (refused(c, point_parameter_count(pname) != 0, GL_INVALID_ENUM)) return;
+  if (negative) return raise_error(c, GL_INVALID_VALUE);
+  PointState& point = c.raster.point;
+  constexpr std::uint32_t kDirty = kDirtyRaster | kDirtyTransform;
+  switch (pname) {
+    case GL_POINT_SIZE_MIN: assign(c, point.size_min, values[0], kDirty); break;
+    case GL_POINT_SIZE_MAX: assign(c, point.size_max, values[0], kDirty); break;
+    case GL_POINT_FADE_THRESHOLD_SIZE: assign(c, point.fade_threshold, values[0], kDirty); break;
+    default: assign(c, point.attenuation, glm::vec3(values[0], values[1], values[2]), kDirty);
+  }
+}
+/// The scalar calls take only pnames with one value: any other becomes one that is refused.
+void point_parameter_scalar(GLenum pname, float value) {
+  dispatch<point_parameter>(point_parameter_count(pname) == 1 ? pname : GLenum{GL_NONE},
+                            Floats3{value});
+}
+template <typename T>
+void point_parameter_vector(GLenum pname, const T* params) {
+  Floats3 values{};
+  for (unsigned i = 0; i < point_parameter_count(pname); ++i)
+    values[i] = static_cast<float>(params[i]);
+  dispatch<point_parameter>(pname, values);
+}
 void line_width(Context& c, float width) {
   if (refused(c, width > 0, GL_INVALID_VALUE)) return;
   set(c, c.raster.line.width, width);
@@ -229,6 +264,18 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPolygonOffset(GLfloat factor, GLfloat u
   dispatch<polygon_offset>(factor, units);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointSize(GLfloat size) { dispatch<point_size>(size); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameterf(GLenum pname, GLfloat param) {
+  point_parameter_scalar(pname, param);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteri(GLenum pname, GLint param) {
+  point_parameter_scalar(pname, static_cast<float>(param));
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameterfv(GLenum pname, const GLfloat* params) {
+  point_parameter_vector(pname, params);
+}
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteriv(GLenum pname, const GLint* params) {
+  point_parameter_vector(pname, params);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineWidth(GLfloat width) { dispatch<line_width>(width); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglScissor(GLint x, GLint y, GLsizei width, GLsizei height) {
   dispatch<scissor>(x, y, width, height);

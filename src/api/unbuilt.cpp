@@ -37,19 +37,3 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage1D(GLenum, GLint, 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetCompressedTexImage(GLenum, GLint, void *) {
   report_unbuilt("glGetCompressedTexImage");
 }
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameterf(GLenum, GLfloat) {
-  report_unbuilt("glPointParameterf");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameterfv(GLenum, const GLfloat *) {
-  report_unbuilt("glPointParameterfv");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteri(GLenum, GLint) {
-  report_unbuilt("glPointParameteri");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteriv(GLenum, const GLint *) {
-  report_unbuilt("glPointParameteriv");
-}

@@ -131,6 +131,8 @@ void Backend::upload_stale_blocks(Context& context) {
 void Backend::stage_stale_blocks(Context& context) {
   if (derived_.stale[kTransformBlock])
     stage_block(context, kTransformBlock, &derived_.transform, sizeof derived_.transform);
+  if (derived_.stale[kPointsBlock] && context.raster.point.is_attenuated_or_fades())
+    stage_block(context, kPointsBlock, &derived_.points, sizeof derived_.points);
   const FragmentKey& fragments = derived_.key.fragments;
   if (derived_.stale[kFragmentsBlock] && (fragments.has_fog() || fragments.has_alpha_test()))
     stage_block(context, kFragmentsBlock, &derived_.fragments, sizeof derived_.fragments);
@@ -189,9 +191,20 @@ bool Backend::use_program(Context& context, GLenum mode, std::uint64_t vertices)
   if (mode != GL_POINTS && coverage == Coverage::kWhole)
     return use_program(context, derived_.key, vertices);
   ProgramKey key = derived_.key;
-  key.points = mode == GL_POINTS;
+  if (mode == GL_POINTS) draw_points(context, key);
   key.fragments.coverage = coverage;
   return use_program(context, key, vertices);
+}
+
+void Backend::draw_points(const Context& context, ProgramKey& key) const {
+  key.points = true;
+  const PointState& point = context.raster.point;
+  if (!point.is_attenuated_or_fades()) return;
+  GLint sample_buffers = 0;
+  if (context.raster.multisample.enabled && point.fade_threshold > 0)
+    driver.GetIntegerv(GL_SAMPLE_BUFFERS, &sample_buffers);
+  key.point_fade = sample_buffers > 0;
+  key.point_distance = true;
 }
 
 bool Backend::use_program(Context& context, const ProgramKey& key, std::uint64_t vertices) {

@@ -125,6 +125,8 @@ class Backend {
   void apply_derived(Context& context);
   /// False when the driver has refused it. The general block is uploaded where it is read.
   bool use_program(Context& context, GLenum mode, std::uint64_t vertices);
+  /// The key of a draw, for its points.
+  void draw_points(const Context& context, ProgramKey& key) const;
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
   bool use_program(Context& context, const ProgramKey& key, std::uint64_t vertices);
   /// Draws the batch when it has polygons that become lines or points, or lines that become wide;

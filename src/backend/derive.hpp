@@ -62,6 +62,7 @@ class Derived {
   GeneralUniforms general;
   FragmentUniforms fragments;
   ClipPlaneUniforms clip_planes;
+  PointUniforms points;
   PolygonStippleUniforms polygon_stipple;
   TexturesUniforms textures;
   std::vector<TextureUnitUniforms> texture_units;

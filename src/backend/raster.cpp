@@ -99,6 +99,8 @@ void RasterApplier::apply(const Driver& driver, const RasterState& wanted,
     apply_multisample(driver, wanted.multisample);
   if (driver.PointSize && (!known_ || have.point != wanted.point))
     driver.PointSize(whole_point_size(wanted.point));
+  if (!driver.is_es() && (!known_ || have.point != wanted.point))
+    set_enabled(driver, GL_PROGRAM_POINT_SIZE, wanted.point.is_attenuated_or_fades());
   if (!known_ || have.line != wanted.line) {
     driver.LineWidth(thin_lines_ ? std::min(wanted.line.width, 1.0f) : wanted.line.width);
     if (!driver.is_es()) set_enabled(driver, GL_LINE_SMOOTH, wanted.line.smooth_enabled);

@@ -49,7 +49,8 @@ bool Backend::can_transform(Context& context) {
   if (recorder.layout().fields & ~kKnownFields) return false;
   if (recorder.layout().fields & kFieldTransformed) return true;
   if (!transforms_as_shaders_) return false;
-  if (looks_at_reach(context)) return false;  // each object has lights of its own
+  if (context.raster.point.is_attenuated()) return false;  // by eye coordinates
+  if (looks_at_reach(context)) return false;               // each object has lights of its own
   derive(context, recorder.layout());
   return reads_nothing_else(derived_.key);
 }

@@ -93,7 +93,7 @@ bool Backend::draw_unfilled(Context& context) {
   for (std::size_t g = 0; g < expanded.groups.size(); ++g) {
     const PrimitiveGroup& group = expanded.groups[g];
     ProgramKey variant = key;
-    variant.points = group.mode == GL_POINTS;
+    if (group.mode == GL_POINTS) draw_points(context, variant);
     variant.fragments.coverage = coverage_of(context.raster, group.mode);
     variant.back_only = group.back;
     variant.lighting_position = state.lighting_position;

@@ -1,5 +1,5 @@
 // The fragment stage, in the specification's order: the face's colours, texturing (GL 2.1
-// spec 3.8), colour sum (3.9), fog (3.10), coverage, alpha test (4.1.4).
+// spec 3.8), colour sum (3.9), fog (3.10), coverage (3.12), alpha test (4.1.4).
 #include "shadergen/emit_texture.hpp"
 
 namespace legacy_gl {
@@ -47,6 +47,13 @@ void emit_color_sum(Writer&, const ProgramKey& key, FragmentColors& colors) {
       "vec4(" + colors.primary + ".rgb + " + colors.secondary + ", " + colors.primary + ".a)";
 }
 
+/// GL 2.1 spec 3.3, 3.12.
+void emit_point_fade(Writer& w, const ProgramKey& key, FragmentColors& colors) {
+  if (!key.point_fade) return;
+  colors.make_variable(w);
+  w.line("color.a *= point_fade;");
+}
+
 }  // namespace
 
 void FragmentColors::make_variable(Writer& w) {
@@ -80,6 +87,7 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   emit_textures(w, key.textures, colors);
   emit_color_sum(w, key, colors);
   emit_fog(w, key.fragments, colors);
+  emit_point_fade(w, key, colors);
   emit_coverage(w, key.fragments);
   emit_alpha_test(w, key.fragments, colors);
   w.line("fragment_color = " + colors.primary + ";");

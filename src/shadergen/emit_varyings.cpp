@@ -30,6 +30,7 @@ void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
                    const std::string& direction) {
   if (key.per_fragment) emit_per_fragment_varyings(w, key, direction);
   else emit_color_varyings(w, key, dialect, direction);
+  if (key.point_fade) w.line(direction + " float point_fade;");
   if (key.fragments.has_fog()) w.line(direction + " float fog_distance;");
   emit_clip_varyings(w, key.fragments, dialect, direction);
   emit_texture_varyings(w, key.textures, direction);

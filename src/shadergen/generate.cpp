@@ -44,14 +44,33 @@ void emit_inputs(Writer& w, const ProgramKey& key) {
   w.blank();
 }
 
+/// GL 2.1 spec 3.3: sizes by distance, and the fading of those below a threshold.
+void emit_point_size(Writer& w, const ProgramKey& key) {
+  w.line("vec4 point_eye = point_modelview * position;");
+  w.line("float eye_distance = length(point_eye.xyz / point_eye.w);");
+  w.line("vec3 abc = point_attenuation.xyz;");
+  w.line("float reduction = abc.x + eye_distance * (abc.y + eye_distance * abc.z);");
+  w.line("float point_size = point_sizes.x * inversesqrt(max(reduction, 1e-37));");
+  w.line("point_size = min(max(point_size, point_sizes.y), point_sizes.z);");
+  if (key.point_fade) {
+    w.line("float shown = min(point_size / point_sizes.w, 1.0);");
+    w.line("point_fade = shown * shown;");
+    w.line("point_size = max(point_size, point_sizes.w);");
+  }
+  w.line("gl_PointSize = max(1.0, ceil(point_size - 0.5));");
+  w.line("float odd_half = 0.5 * mod(gl_PointSize, 2.0);");
+}
+
 /// Aliased points are squares of whole pixels (GL 2.1 spec 3.3.1): their centre moves to the middle
 /// of a pixel, or to the corner of four where the size is even. The core profile's own points are
 /// not moved.
-void emit_point(Writer& w, Dialect dialect) {
-  if (dialect == Dialect::kEs300) w.line("gl_PointSize = point.x;");
+void emit_point(Writer& w, const ProgramKey& key, Dialect dialect) {
+  const std::string odd = key.point_distance ? "odd_half" : "point.y";
+  if (key.point_distance) emit_point_size(w, key);
+  else if (dialect == Dialect::kEs300) w.line("gl_PointSize = point.x;");
   w.line("vec2 window = gl_Position.xy / gl_Position.w * viewport.xy + viewport.zw;");
   w.line("window = floor(window * 256.0 + 0.5) / 256.0;  // as rasterisers snap");
-  w.line("vec2 center = floor(window + 0.5 - point.y) + point.y;");
+  w.line("vec2 center = floor(window + 0.5 - " + odd + ") + " + odd + ";");
   w.line("vec2 snapped = (center - viewport.zw) / viewport.xy * gl_Position.w;");
   w.line("vec2 edge = vec2(gl_Position.w);");
   w.line("bool visible = all(lessThanEqual(abs(gl_Position.xy), edge));");
@@ -71,6 +90,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   const bool general = key.general_lights != 0;
   if (key.lit && !key.per_fragment)
     general ? emit_general_blocks(w, key) : emit_lighting_blocks(w, key);
+  if (key.point_distance) w.raw(kPointsBlockText);
   emit_fog_block(w, key.fragments);
   emit_clip_block(w, key.fragments);
   if (vertex_reads_texture_block(key.textures)) emit_texture_block(w, key.textures);
@@ -92,7 +112,7 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (is_zoomed(key.pixels)) w.line("place = pixel_place;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
   if (key.line_offset) w.line("gl_Position.xyz += line_offset * gl_Position.w;");
-  if (key.points) emit_point(w, dialect);
+  if (key.points) emit_point(w, key, dialect);
   emit_clip_distances(w, key.fragments, dialect);
   emit_fog_coordinate(w, key.fragments);
   if (key.per_fragment) {

@@ -36,11 +36,11 @@ void for_each_stage_field(Stage& stage, Visit visit) {
 
 template <typename Key, typename Visit>
 void for_each_field(Key& key, Visit visit) {
-  for (auto* flag :
-       {&key.lit, &key.flat, &key.secondary_from_vertex, &key.two_side, &key.local_viewer,
-        &key.separate_specular, &key.position4, &key.w_is_one, &key.parallel, &key.points,
-        &key.per_fragment, &key.scaled_sums, &key.angle_error, &key.back_only,
-        &key.lighting_position, &key.depth_offset, &key.line_offset})
+  for (auto* flag : {&key.lit, &key.flat, &key.secondary_from_vertex, &key.two_side,
+                     &key.local_viewer, &key.separate_specular, &key.position4, &key.w_is_one,
+                     &key.parallel, &key.points, &key.per_fragment, &key.scaled_sums,
+                     &key.angle_error, &key.back_only, &key.lighting_position, &key.depth_offset,
+                     &key.line_offset, &key.point_distance, &key.point_fade})
     visit(*flag, 2);
   visit(key.pixels, 5);
   visit(key.space, 3);

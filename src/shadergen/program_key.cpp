@@ -52,7 +52,8 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
                         key.position4,    key.w_is_one,     key.parallel,
                         key.points,       key.per_fragment, key.back_only,
                         key.angle_error,  key.scaled_sums,  key.lighting_position,
-                        key.depth_offset, key.line_offset};
+                        key.depth_offset, key.line_offset,  key.point_distance,
+                        key.point_fade};
   std::size_t bits = 0;
   for (const bool flag : flags) bits = bits << 1 | (flag ? 1u : 0u);
   mix(hash, bits);
@@ -128,6 +129,8 @@ std::string describe(const ProgramKey& key) {
   if (key.w_is_one) append(text, "w 1");
   if (key.parallel) append(text, "parallel projection");
   if (key.points) append(text, "points");
+  if (key.point_distance) append(text, "sizes by distance");
+  if (key.point_fade) append(text, "fading");
   if (key.angle_error) append(text, "angles corrected");
   if (key.back_only) append(text, "back faces");
   if (key.lighting_position) append(text, "lit at a position of its own");

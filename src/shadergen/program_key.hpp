@@ -78,10 +78,12 @@ struct ProgramKey {
   bool two_side = false;
   bool local_viewer = false;
   bool separate_specular = false;
-  bool position4 = false;  ///< the position attribute has a w
-  bool w_is_one = false;   ///< lit, and the position attribute has none
-  bool parallel = false;   ///< w_is_one, and modelview and projection leave w as it is
-  bool points = false;     ///< draws GL_POINTS
+  bool position4 = false;       ///< the position attribute has a w
+  bool w_is_one = false;        ///< lit, and the position attribute has none
+  bool parallel = false;        ///< w_is_one, and modelview and projection leave w as it is
+  bool points = false;          ///< draws GL_POINTS
+  bool point_distance = false;  ///< whose size depends on the distance from the eye, or fades
+  bool point_fade = false;      ///< small ones fade instead
   bool per_fragment = false;
   bool scaled_sums = false;  ///< colours so large that sums of their products leave the range
   bool angle_error = false;  ///< object space under a modelview that keeps angles only nearly

@@ -22,11 +22,12 @@ enum UniformBlock : unsigned {
   kClipPlanesBlock,
   kPolygonStippleBlock,
   kTexturesBlock,
+  kPointsBlock,
   kUniformBlockCount
 };
 inline constexpr std::array<const char*, kUniformBlockCount> kUniformBlockNames{
-    "Transform", "Lights",    "FrontMaterial", "BackMaterial",   "Precise",
-    "General",   "Fragments", "ClipPlanes",    "PolygonStipple", "Textures"};
+    "Transform", "Lights",     "FrontMaterial",  "BackMaterial", "Precise", "General",
+    "Fragments", "ClipPlanes", "PolygonStipple", "Textures",     "Points"};
 
 struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
@@ -128,6 +129,20 @@ inline constexpr const char* kFragmentsBlockText = R"(layout(std140) uniform Fra
 };
 )";
 static_assert(sizeof(FragmentUniforms) == 48);
+
+/// Points whose size depends on the distance from the eye.
+struct PointUniforms {
+  glm::mat4 modelview{1.0f};
+  glm::vec4 sizes{1, 0, 1, 1};
+  glm::vec4 attenuation{1, 0, 0, 0};
+};
+inline constexpr const char* kPointsBlockText = R"(layout(std140) uniform Points {
+  mat4 point_modelview;    // object to eye coordinates
+  vec4 point_sizes;        // at distance 0, least, largest, and where fading begins
+  vec4 point_attenuation;  // a, b, c
+};
+)";
+static_assert(sizeof(PointUniforms) == 96);
 
 inline constexpr unsigned kMaxClipDistances = 6;
 struct ClipPlaneUniforms {

@@ -13,17 +13,14 @@ void fixed(Context&, QueryValues& v) {
   (v.put(Values), ...);
 }
 
-constexpr Query kStipplesAndPoints[] = {
-    {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
-    {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
-    {GL_POINT_SIZE_MIN, kFloat, fixed<0>},
-    {GL_POINT_FADE_THRESHOLD_SIZE, kFloat, fixed<1>},
-    {GL_POINT_DISTANCE_ATTENUATION, kFloat, fixed<1, 0, 0>},
-};
-
 constexpr Query kTexture[] = {
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<0>},
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
+};
+
+constexpr Query kStipples[] = {
+    {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
+    {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
 };
 
 /// What no driver under this library has: colour index mode and auxiliary buffers.
@@ -37,8 +34,7 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kStipplesAndPoints, kTexture,
-                                                       kAbsentBuffers};
+  static constexpr std::span<const Query> kGroups[] = {kStipples, kTexture, kAbsentBuffers};
   return kGroups;
 }
 

@@ -122,6 +122,14 @@ constexpr Query kLighting[] = {
 
 constexpr Query kRasterization[] = {
     {GL_POINT_SIZE, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.point.size); }},
+    {GL_POINT_SIZE_MIN, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.point.size_min); }},
+    {GL_POINT_SIZE_MAX, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.point.size_max); }},
+    {GL_POINT_FADE_THRESHOLD_SIZE, kFloat,
+     [](Context& c, QueryValues& v) { v.put(c.raster.point.fade_threshold); }},
+    {GL_POINT_DISTANCE_ATTENUATION, kFloat,
+     [](Context& c, QueryValues& v) {
+       for (int i = 0; i < 3; ++i) v.put(static_cast<double>(c.raster.point.attenuation[i]));
+     }},
     {GL_LINE_WIDTH, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.line.width); }},
     {GL_CULL_FACE_MODE, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.raster.polygon.cull_face); }},

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "state/gl_types.hpp"
@@ -79,16 +80,27 @@ inline bool is_unfilled(const PolygonState& polygon) {
   return polygon.front_mode != GL_FILL || polygon.back_mode != GL_FILL;
 }
 
+/// GL 2.1 spec 3.3.
 struct PointState {
   float size = 1;
+  float size_min = 0, size_max = 1;  ///< the context sets the largest size that the driver has
+  float fade_threshold = 1;
+  glm::vec3 attenuation{1, 0, 0};  ///< a, b, c of 1 / (a + b d + c d^2)
   bool smooth_enabled = false;
   bool operator==(const PointState&) const = default;
+
+  /// The size depends on the distance from the eye.
+  bool is_attenuated() const { return attenuation != glm::vec3(1, 0, 0); }
+  /// Computed for each point: some may fade if samples are taken several a pixel.
+  bool is_attenuated_or_fades() const { return is_attenuated() || clamped_size() < fade_threshold; }
+  /// Of a point that is not attenuated.
+  float clamped_size() const { return std::min(std::max(size, size_min), size_max); }
 };
 
 /// Aliased points are whole pixels wide (GL 2.1 spec 3.3.1); halves go down, as the reference
 /// rounds them.
 inline float whole_point_size(const PointState& point) {
-  return std::max(1.0f, std::ceil(point.size - 0.5f));
+  return std::max(1.0f, std::ceil(point.clamped_size() - 0.5f));
 }
 
 struct LineState {

@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 
 #include "conformance/feature_scenes.hpp"
@@ -50,6 +51,39 @@ Scene line_width_scene(const std::string& name, float width) {
             begin_flat_scene(gl);
             gl.LineWidth(width);
             draw_line_star(gl, 17);
+          }};
+}
+
+/// Points along the eye's axis, each moved aside behind the projection: Mesa takes their depth for
+/// their distance (row M21), which is the same there.
+void draw_points_by_distance(const GlFunctions& gl, GLenum shape = GL_POINTS) {
+  for (int i = 0; i < 16; ++i) {
+    const float x = -0.75F + 0.5F * static_cast<float>(i % 4);
+    const float y = -0.75F + 0.5F * static_cast<float>(i / 4);
+    gl.MatrixMode(GL_PROJECTION);
+    gl.LoadIdentity();
+    gl.Translatef(x, y, 0);
+    gl.Frustum(-0.5, 0.5, -0.5, 0.5, 1, 30);
+    gl.MatrixMode(GL_MODELVIEW);
+    gl.Begin(shape);
+    color_by_position(gl, x, y, 0);
+    gl.Normal3f(0.5F * x, 0.5F * y, 0.8F);
+    for (int corner = 0; corner < 3; ++corner)
+      gl.Vertex3f(0, 0, -1.3F - 0.9F * static_cast<float>(i));
+    gl.End();
+  }
+}
+
+Scene attenuation_scene(const std::string& name, std::array<float, 3> attenuation, float least,
+                        float largest) {
+  return {"points_attenuated_" + name, [=](const GlFunctions& gl) {
+            begin_flat_scene(gl);
+            gl.LoadIdentity();
+            gl.PointSize(17);
+            gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation.data());
+            gl.PointParameterf(GL_POINT_SIZE_MIN, least);
+            gl.PointParameterf(GL_POINT_SIZE_MAX, largest);
+            draw_points_by_distance(gl);
           }};
 }
 
@@ -119,6 +153,19 @@ std::vector<Scene> points_lines_scenes() {
                         }
                         gl.End();
                       }
+                    }});
+  scenes.push_back(attenuation_scene("constant", {4, 0, 0}, 0, 60));
+  scenes.push_back(attenuation_scene("linear", {0.2F, 0.37F, 0}, 0, 60));
+  scenes.push_back(attenuation_scene("quadratic", {0.1F, 0.03F, 0.11F}, 0, 60));
+  scenes.push_back(attenuation_scene("clamped", {0, 0, 0.31F}, 5, 14));
+  scenes.push_back(attenuation_scene("clamped_only", {1, 0, 0}, 0, 9));
+  scenes.push_back({"points_attenuated_lit", [](const GlFunctions& gl) {
+                      begin_lit_scene(gl);
+                      gl.LoadIdentity();
+                      constexpr GLfloat attenuation[] = {0.1F, 0.03F, 0.11F};
+                      gl.PointSize(15);
+                      gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+                      draw_points_by_distance(gl);
                     }});
   // Lines of every slope, with ends at and between pixel centres.
   scenes.push_back({"line_ends", [](const GlFunctions& gl) {

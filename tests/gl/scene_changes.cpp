@@ -182,6 +182,12 @@ const std::vector<SceneChange>& scene_changes() {
          gl.MatrixMode(GL_MODELVIEW);
        }},
       {"point size", [](Gl gl) { gl.PointSize(5); }},
+      {"point attenuation",
+       [](Gl gl) {
+         constexpr GLfloat attenuation[] = {0.01F, 0.01F, 0.02F};
+         gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+       }},
+      {"least point size", [](Gl gl) { gl.PointParameterf(GL_POINT_SIZE_MIN, 9); }},
       {"line width", [](Gl gl) { gl.LineWidth(3); }},
       {"viewport", [](Gl gl) { gl.Viewport(4, 2, 56, 60); }},
       {"polygon stipple",

@@ -41,6 +41,8 @@ class RandomKeys {
     }
     key.flat = chance(3);
     key.points = chance(5);
+    key.point_distance = key.points && chance(3);
+    key.point_fade = key.point_distance && chance(2);
     key.position4 = chance(4);
     key.depth_offset = chance(8);
     key.line_offset = !key.points && !key.depth_offset && chance(8);
