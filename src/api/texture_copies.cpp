@@ -58,6 +58,7 @@ void copy_part(Context& c, GLenum target_name, unsigned dimensions, GLint level,
     return raise_error(c, error);
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
   if (const GLenum error = source_error(c, base)) return raise_error(c, error);
+  if (refuses_texels(c, place.texture.images.at(place.face, place.level))) return;
   texture_changes(c);
   if (!from.width || !from.height) return;
   try {

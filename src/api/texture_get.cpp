@@ -5,6 +5,7 @@
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
 #include "state/queries.hpp"
+#include "texture/compressed_format.hpp"
 #include "texture/pixel_format.hpp"
 
 using namespace legacy_gl;
@@ -78,9 +79,12 @@ GLenum read_level(Context& c, const ImageTarget& target, GLint level, GLenum nam
     case GL_TEXTURE_HEIGHT: value = image.height; break;
     case GL_TEXTURE_DEPTH: value = image.depth; break;
     case GL_TEXTURE_INTERNAL_FORMAT: value = image.internal_format; break;
-    case GL_TEXTURE_BORDER:
-    case GL_TEXTURE_COMPRESSED: value = 0; break;
-    case GL_TEXTURE_COMPRESSED_IMAGE_SIZE: return GL_INVALID_OPERATION;
+    case GL_TEXTURE_BORDER: value = 0; break;
+    case GL_TEXTURE_COMPRESSED: value = bytes_of_block(image.internal_format) != 0; break;
+    case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
+      if (target.proxy || !bytes_of_block(image.internal_format)) return GL_INVALID_OPERATION;
+      value = static_cast<GLint>(compressed_size(image.internal_format, image.width, image.height));
+      break;
     default:
       if (!is_size_name(name)) return GL_INVALID_ENUM;
       value = size_of(c, target, level, image, name);
@@ -140,7 +144,7 @@ void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, G
     diagnose(c, "glGetTexImage: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
   }
-  if (!pixels) return;
+  if (!pixels || refuses_texels(c, image)) return;
   PixelStore store = c.pack;
   if (target->target != kTexture3D) store.skip_images = store.image_height = 0;
   flush_pending(c);

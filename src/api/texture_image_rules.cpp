@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "texture/compressed_format.hpp"
+
 namespace legacy_gl {
 
 GLenum level_error(const Context& context, const ImageTarget& target, GLint level) {
@@ -42,6 +44,11 @@ GLenum new_image_error(const Context& context, const NewImage& image) {
   if (!format.core || image.border < 0 || image.border > 1 || size.width < 0 || size.height < 0 ||
       size.depth < 0)
     return GL_INVALID_VALUE;
+  if (bytes_of_block(image.internal_format)) {
+    if (!context.backend->textures().offers_s3tc()) return GL_INVALID_VALUE;
+    if (image.target.target != kTexture2D && image.target.target != kTextureCube)
+      return GL_INVALID_ENUM;  // EXT_texture_compression_s3tc
+  }
   if (image.border && (inner.width < 0 || inner.height < 0 || inner.depth < 0))
     return GL_INVALID_VALUE;
   if (image.target.target == kTextureCube && size.width != size.height) return GL_INVALID_VALUE;
@@ -71,7 +78,24 @@ TextureImage texture_image(const NewImage& image) {
 
 }  // namespace
 
+namespace {
+
+/// Where the driver compresses nothing, such images have the format that is stored.
+NewImage as_stored(const Context& context, const NewImage& image) {
+  NewImage stored = image;
+  if (bytes_of_block(image.internal_format) && context.backend->driver.is_es())
+    stored.internal_format =
+        static_cast<GLint>(base_format_name(find_texture_format(image.internal_format).base));
+  return stored;
+}
+
+}  // namespace
+
 void define_proxy(Context& context, const NewImage& image) {
+  define_compressed_proxy(context, as_stored(context, image));
+}
+
+void define_compressed_proxy(Context& context, const NewImage& image) {
   const bool fits = image_fits(context, image);
   context.texture.proxies[image.target.target].at(0, image.level) =
       fits ? texture_image(image) : TextureImage{};
@@ -81,7 +105,7 @@ void define_image(Context& context, const NewImage& image, const Texels* texels)
   texture_changes(context);
   const ImagePlace place{bound_texture(context, image.target.target), image.target.face,
                          image.level};
-  const TextureImage defined = texture_image(image);
+  const TextureImage defined = texture_image(as_stored(context, image));
   if (!defined.exists()) {
     place.texture.images.at(place.face, place.level) = {};
     return;
@@ -89,6 +113,28 @@ void define_image(Context& context, const NewImage& image, const Texels* texels)
   if (!context.backend->textures().define(place, defined, texels))
     return raise_error(context, GL_OUT_OF_MEMORY);
   image_changed(context, place);
+}
+
+void define_compressed_image(Context& context, const NewImage& image, const void* data,
+                             GLsizei bytes) {
+  texture_changes(context);
+  const ImagePlace place{bound_texture(context, image.target.target), image.target.face,
+                         image.level};
+  const TextureImage defined = texture_image(image);
+  if (!defined.exists()) {
+    place.texture.images.at(place.face, place.level) = {};
+    return;
+  }
+  if (!context.backend->textures().define_compressed(place, defined, data, bytes))
+    return raise_error(context, GL_OUT_OF_MEMORY);
+  image_changed(context, place);
+}
+
+bool refuses_texels(Context& context, const TextureImage& image) {
+  if (!bytes_of_block(image.internal_format) || !context.backend->driver.is_es()) return false;
+  diagnose(context, "this driver (OpenGL ES) neither compresses texels nor gives them back");
+  raise_error(context, GL_INVALID_OPERATION);
+  return true;
 }
 
 GLenum part_error(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size) {
@@ -100,12 +146,21 @@ GLenum part_error(const ImagePlace& place, const ImageOffset& offset, const Imag
   const bool inside = within(offset.x, size.width, image.width) &&
                       within(offset.y, size.height, image.height) &&
                       within(offset.z, size.depth, image.depth);
-  return inside ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_VALUE};
+  if (!inside) return GL_INVALID_VALUE;
+  const auto whole_blocks = [](GLint first, GLsizei count, GLsizei whole) {
+    return first % kBlockEdge == 0 && (count % kBlockEdge == 0 || first + count == whole);
+  };
+  if (bytes_of_block(image.internal_format) && !(whole_blocks(offset.x, size.width, image.width) &&
+                                                 whole_blocks(offset.y, size.height, image.height)))
+    return GL_INVALID_OPERATION;
+  return GL_NO_ERROR;
 }
 
 void image_changed(Context& context, const ImagePlace& place) {
   TextureObject& texture = place.texture;
   if (!texture.parameters.generate_mipmap || place.level != texture.base_level()) return;
+  const TextureImage& image = texture.images.at(place.face, place.level);
+  if (bytes_of_block(image.internal_format) && context.backend->driver.is_es()) return;
   // A cube map whose faces do not yet agree has no levels to make.
   TextureParameters base_only = texture.parameters;
   base_only.min_filter = GL_LINEAR;

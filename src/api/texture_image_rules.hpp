@@ -25,7 +25,15 @@ PixelStore inside_border(const PixelStore& store, const NewImage& image);
 void define_proxy(Context& context, const NewImage& image);
 void define_image(Context& context, const NewImage& image, const Texels* texels);
 
-/// GL 2.1 spec 3.8.2: a part lies within an image that exists.
+/// The same with blocks of a compressed format.
+void define_compressed_proxy(Context& context, const NewImage& image);
+void define_compressed_image(Context& context, const NewImage& image, const void* data,
+                             GLsizei bytes);
+/// Texels cannot go into compressed images on OpenGL ES, nor come out of them: says so.
+bool refuses_texels(Context& context, const TextureImage& image);
+
+/// GL 2.1 spec 3.8.2: a part lies within an image that exists; of a compressed one it is whole
+/// blocks.
 GLenum part_error(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size);
 
 /// GL 2.1 spec 3.8.8: the levels above follow the base level where that was asked for.

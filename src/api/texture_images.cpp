@@ -79,6 +79,7 @@ void replace(Context& c, const ImageCall& call, const PixelStore& store, const v
   if (const GLenum error = part_error(place, call.offset, call.size)) return raise_error(c, error);
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
   if ((base == BaseFormat::kDepth) != has_depth(call)) return raise_error(c, GL_INVALID_OPERATION);
+  if (refuses_texels(c, place.texture.images.at(place.face, place.level))) return;
   if (!pixels || !call.size.texels()) return;
   texture_changes(c);
   c.backend->textures().replace(place, call.offset, call.size,

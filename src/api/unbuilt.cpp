@@ -9,31 +9,3 @@ using legacy_gl::report_unbuilt;
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineStipple(GLint, GLushort) {
   report_unbuilt("glLineStipple");
 }
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void *) {
-  report_unbuilt("glCompressedTexImage3D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage2D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void *) {
-  report_unbuilt("glCompressedTexImage2D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexImage1D(GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void *) {
-  report_unbuilt("glCompressedTexImage1D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLsizei, const void *) {
-  report_unbuilt("glCompressedTexSubImage3D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage2D(GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLsizei, const void *) {
-  report_unbuilt("glCompressedTexSubImage2D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglCompressedTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void *) {
-  report_unbuilt("glCompressedTexSubImage1D");
-}
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetCompressedTexImage(GLenum, GLint, void *) {
-  report_unbuilt("glGetCompressedTexImage");
-}

@@ -24,6 +24,8 @@ void parse_version(Driver& driver, const char* version) {
     driver.major = driver.minor = 0;
 }
 
+}  // namespace
+
 bool has_extension(const Driver& driver, const char* name) {
   GLint count = 0;
   driver.GetIntegerv(GL_NUM_EXTENSIONS, &count);
@@ -34,8 +36,6 @@ bool has_extension(const Driver& driver, const char* name) {
   }
   return false;
 }
-
-}  // namespace
 
 DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   if (!load(driver.GetString, loader, "glGetString")) {
@@ -76,6 +76,7 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   optional(driver.LogicOp, "glLogicOp", !es);
   optional(driver.MultiDrawArrays, "glMultiDrawArrays", !es);
   optional(driver.GetBufferSubData, "glGetBufferSubData", !es);
+  optional(driver.GetCompressedTexImage, "glGetCompressedTexImage", !es);
   optional(driver.GetTexImage, "glGetTexImage", !es);
   optional(driver.GetTexLevelParameteriv, "glGetTexLevelParameteriv", !es);
   optional(driver.PointSize, "glPointSize", !es);

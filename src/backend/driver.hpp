@@ -127,6 +127,7 @@ namespace legacy_gl {
   X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX) \
   X(GenProgramPipelines, GENPROGRAMPIPELINES)       \
   X(GetBufferSubData, GETBUFFERSUBDATA)             \
+  X(GetCompressedTexImage, GETCOMPRESSEDTEXIMAGE)   \
   X(GetProgramBinary, GETPROGRAMBINARY)             \
   X(GetTexImage, GETTEXIMAGE)                       \
   X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
@@ -152,6 +153,8 @@ struct Driver {
 using Loader = void (*(*)(const char*))();
 
 enum class DriverStatus { kOk, kNoContext, kTooOld, kMissingFunction };
+
+bool has_extension(const Driver& driver, const char* name);
 
 /// Fills the table. `detail` gets the version or the function that is at fault.
 DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail);

@@ -108,6 +108,38 @@ bool Textures::define(const ImagePlace& place, const TextureImage& image, const 
   return false;
 }
 
+bool Textures::define_compressed(const ImagePlace& place, const TextureImage& image,
+                                 const void* data, GLsizei bytes) {
+  bind_to_change(place.texture);
+  set_unpack_modes(driver_);
+  place.texture.images.at(place.face, place.level) = image;
+  place.texture.parameters_stale = true;
+  const std::vector<std::byte> blank(data ? 0 : static_cast<std::size_t>(bytes));
+  while (driver_.GetError() != GL_NO_ERROR) {
+  }
+  driver_.CompressedTexImage2D(image_target(place), place.level,
+                               static_cast<GLenum>(image.internal_format), image.width,
+                               image.height, 0, bytes, data ? data : blank.data());
+  if (driver_.GetError() == GL_NO_ERROR) return true;
+  place.texture.images.at(place.face, place.level) = {};
+  return false;
+}
+
+void Textures::replace_compressed(const ImagePlace& place, const ImageOffset& offset,
+                                  const ImageSize& size, const void* data, GLsizei bytes) {
+  bind_to_change(place.texture);
+  set_unpack_modes(driver_);
+  const GLint format = place.texture.images.at(place.face, place.level).internal_format;
+  driver_.CompressedTexSubImage2D(image_target(place), place.level, offset.x, offset.y, size.width,
+                                  size.height, static_cast<GLenum>(format), bytes, data);
+}
+
+void Textures::read_compressed(const ImagePlace& place, void* data) {
+  bind_to_change(place.texture);
+  driver_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  driver_.GetCompressedTexImage(image_target(place), place.level, data);
+}
+
 void Textures::replace(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
                        const Texels& texels) {
   bind_to_change(place.texture);

@@ -29,7 +29,8 @@ glm::vec4 stored_border(const glm::vec4& color, BaseFormat base) {
 
 }  // namespace
 
-Textures::Textures(const Driver& driver) : driver_(driver) {
+Textures::Textures(const Driver& driver)
+    : driver_(driver), offers_s3tc_(has_extension(driver, "GL_EXT_texture_compression_s3tc")) {
   if (!driver.is_es()) return;
   const auto* const extensions = reinterpret_cast<const char*>(driver.GetString(GL_EXTENSIONS));
   has_border_color_ = extensions && (std::strstr(extensions, "texture_border_clamp") ||

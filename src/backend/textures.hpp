@@ -41,6 +41,13 @@ class Textures {
   bool define(const ImagePlace& place, const TextureImage& image, const Texels* texels);
   void replace(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
                const Texels& texels);
+  /// The same with blocks of a compressed format; nullptr: what they are is undefined.
+  bool define_compressed(const ImagePlace& place, const TextureImage& image, const void* data,
+                         GLsizei bytes);
+  void replace_compressed(const ImagePlace& place, const ImageOffset& offset, const ImageSize& size,
+                          const void* data, GLsizei bytes);
+  void read_compressed(const ImagePlace& place, void* data);
+  bool offers_s3tc() const { return offers_s3tc_; }
   /// From the framebuffer, whose rectangle starts at `from`. `window` bounds what it has.
   void copy(const ImagePlace& place, const ImageOffset& offset, const PixelRectangle& from,
             const PixelState& transfer);
@@ -66,6 +73,7 @@ class Textures {
 
   const Driver& driver_;
   bool has_border_color_ = true;
+  bool offers_s3tc_ = false;
   std::array<std::uint64_t, kMaxTextureUnits> bound_{};  ///< serial numbers; 0: not known
   unsigned active_unit_ = ~0u;
   bool samplers_unbound_ = false;

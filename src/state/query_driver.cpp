@@ -3,6 +3,7 @@
 #include "backend/backend.hpp"
 #include "state/framebuffer.hpp"
 #include "state/queries.hpp"
+#include "texture/compressed_format.hpp"
 
 namespace legacy_gl {
 
@@ -67,6 +68,18 @@ void accumulation_bits(Context& c, QueryValues& v) {
   v.put(has_accumulation_buffer(c) ? kAccumulationBits : 0);
 }
 
+/// Those for general use, as EXT_texture_compression_s3tc says.
+constexpr GLenum kCompressedFormats[] = {kRgbDxt1, kRgbaDxt3, kRgbaDxt5};
+constexpr Query kCompression[] = {
+    {GL_NUM_COMPRESSED_TEXTURE_FORMATS, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.backend->textures().offers_s3tc() ? 3 : 0); }},
+    {GL_COMPRESSED_TEXTURE_FORMATS, kInteger,
+     [](Context& c, QueryValues& v) {
+       if (!c.backend->textures().offers_s3tc()) return;
+       for (const GLenum format : kCompressedFormats) v.put(format);
+     }},
+};
+
 /// Framebuffer objects are the driver's (legacy_gl/framebuffer_objects.h).
 constexpr Query kFramebufferObjects[] = {
     {kDrawFramebufferBinding, kInteger, driver_integers<kDrawFramebufferBinding>},
@@ -100,7 +113,8 @@ constexpr Query kFramebuffer[] = {
 }  // namespace
 
 QueryGroups driver_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kLimits, kFramebuffer, kFramebufferObjects};
+  static constexpr std::span<const Query> kGroups[] = {kLimits, kCompression, kFramebuffer,
+                                                       kFramebufferObjects};
   return kGroups;
 }
 

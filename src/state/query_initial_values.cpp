@@ -13,11 +13,6 @@ void fixed(Context&, QueryValues& v) {
   (v.put(Values), ...);
 }
 
-constexpr Query kTexture[] = {
-    {GL_NUM_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<0>},
-    {GL_COMPRESSED_TEXTURE_FORMATS, kInteger, fixed<>},
-};
-
 constexpr Query kStipples[] = {
     {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
     {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
@@ -34,7 +29,7 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kStipples, kTexture, kAbsentBuffers};
+  static constexpr std::span<const Query> kGroups[] = {kStipples, kAbsentBuffers};
   return kGroups;
 }
 

@@ -1,5 +1,7 @@
 #include "texture/texture_format.hpp"
 
+#include "texture/compressed_format.hpp"
+
 namespace legacy_gl {
 
 namespace {
@@ -50,6 +52,10 @@ TextureFormat find_texture_format(GLint internal_format) {
     case kRg8: return {kRg, kRg8, kRg8};
     case kRg16: return {kRg, kRg16, kRg8};
     case GL_COMPRESSED_RGB: return {kRgb, GL_RGB8, GL_RGB8, true};
+    case kRgbDxt1: return {kRgb, kRgbDxt1, GL_RGB8, true};
+    case kRgbaDxt1:
+    case kRgbaDxt3:
+    case kRgbaDxt5: return {kRgba, static_cast<GLenum>(internal_format), GL_RGBA8, true};
     case 3:
     case GL_RGB:
     case GL_RGB8: return {kRgb, GL_RGB8, GL_RGB8};
