@@ -1,4 +1,6 @@
 // GL 2.1 spec 6.1.3, 6.1.4: glGetTexParameter, glGetTexLevelParameter, glGetTexImage.
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 
@@ -126,6 +128,20 @@ void pack_image(const PixelStore& store, const ImageSize& size, GLenum format, G
       pack_colors(from, width, format, type, store.swap_bytes, pixels + rows(image, row));
 }
 
+void pack_words(const PixelStore& store, const ImageSize& size, const std::vector<GLuint>& words,
+                std::byte* pixels) {
+  const ImageRows rows = image_rows(store, size, kDepthStencil, kUnsignedInt24_8);
+  const auto width = static_cast<std::size_t>(size.width);
+  const GLuint* from = words.data();
+  for (std::size_t row = 0; row < static_cast<std::size_t>(size.height); ++row)
+    for (std::size_t x = 0; x < width; ++x, ++from) {
+      std::array<std::byte, sizeof(GLuint)> bytes;
+      std::memcpy(bytes.data(), from, bytes.size());
+      if (store.swap_bytes) std::reverse(bytes.begin(), bytes.end());
+      std::memcpy(pixels + rows(0, row) + x * bytes.size(), bytes.data(), bytes.size());
+    }
+}
+
 void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, GLenum type,
                    void* pixels) {
   if (refused_inside(c)) return;
@@ -133,12 +149,14 @@ void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, G
   if (!target || target->proxy) return raise_error(c, GL_INVALID_ENUM);
   if (const GLenum error = level_error(c, *target, level)) return raise_error(c, error);
   if (format == GL_STENCIL_INDEX) return raise_error(c, GL_INVALID_ENUM);
-  if (const GLenum error = pixel_format_error(format, type)) return raise_error(c, error);
+  if (const GLenum error = pixel_rectangle_error(format, type)) return raise_error(c, error);
   const ImagePlace place{bound_texture(c, target->target), target->face, level};
   const TextureImage& image = place.texture.images.at(place.face, place.level);
   if (!image.exists()) return;
   const bool depth = image.format.base == BaseFormat::kDepth;
-  if (format == GL_COLOR_INDEX || depth != (format == GL_DEPTH_COMPONENT))
+  const bool words = format == kDepthStencil;
+  if (words && image.format.core != kDepth24Stencil8) return raise_error(c, GL_INVALID_OPERATION);
+  if (format == GL_COLOR_INDEX || depth != (words || format == GL_DEPTH_COMPONENT))
     return raise_error(c, GL_INVALID_OPERATION);
   if (depth && c.backend->driver.is_es()) {
     diagnose(c, "glGetTexImage: this driver (OpenGL ES) reads colours alone");
@@ -148,13 +166,16 @@ void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, G
   PixelStore store = c.pack;
   if (target->target != kTexture3D) store.skip_images = store.image_height = 0;
   flush_pending(c);
+  const ImageSize size{image.width, image.height, image.depth};
   try {
+    if (words)
+      return pack_words(store, size, c.backend->textures().read_depth_stencil(place),
+                        static_cast<std::byte*>(pixels));
     std::vector<float> colors = c.backend->textures().read(place);
     // Luminance is the red component here, and not a sum as glReadPixels has it.
     if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA)
       for (std::size_t i = 0; i < colors.size(); i += 4) colors[i + 1] = colors[i + 2] = 0;
-    pack_image(store, {image.width, image.height, image.depth}, format, type, colors,
-               static_cast<std::byte*>(pixels));
+    pack_image(store, size, format, type, colors, static_cast<std::byte*>(pixels));
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);
   }

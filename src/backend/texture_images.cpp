@@ -194,6 +194,16 @@ std::vector<float> Textures::read(const ImagePlace& place) {
   return colors;
 }
 
+std::vector<GLuint> Textures::read_depth_stencil(const ImagePlace& place) {
+  const TextureImage& image = place.texture.images.at(place.face, place.level);
+  std::vector<GLuint> words(ImageSize{image.width, image.height, image.depth}.texels());
+  bind_to_change(place.texture);
+  driver_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  driver_.GetTexImage(image_target(place), place.level, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                      words.data());
+  return words;
+}
+
 /// OpenGL ES reads no textures, but framebuffers that they are attached to; of a depth texture
 /// nothing.
 std::vector<float> Textures::read_from_framebuffer(const ImagePlace& place,

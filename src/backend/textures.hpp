@@ -53,6 +53,8 @@ class Textures {
             const PixelState& transfer);
   /// The image's colours, four floats a texel.
   std::vector<float> read(const ImagePlace& place);
+  /// Of an image of depths and stencil indices, as kUnsignedInt24_8 has them; not on OpenGL ES.
+  std::vector<GLuint> read_depth_stencil(const ImagePlace& place);
   /// All levels above the base level (GL 2.1 spec 3.8.8), in the driver and in `images`.
   void generate_mipmap(TextureObject& texture);
 

@@ -204,6 +204,16 @@ TEST(FramebufferObjects, NamesAndErrors) {
   bind(0);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(depths[i], static_cast<double>(words[i] >> 8) / 16777215, 1e-7);
+  std::array<GLuint, 4> read{};
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, read.data());
+  EXPECT_EQ(read, words);
+  gl.PixelStorei(GL_PACK_SWAP_BYTES, GL_TRUE);
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, read.data());
+  EXPECT_EQ(read, (std::array<GLuint, 4>{0x12000080, 0x34FFFFFF, 0x56000040, 0x78000000}));
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  make_texture(gl, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE);
+  gl.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, read.data());
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
   const auto extensions = [&gl] {
     return ' ' + std::string(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS))) + ' ';
   };
