@@ -16,7 +16,7 @@ UNDECLARED = re.compile(r"struct _cl|GLXHyperpipe|GLXVideo|DMparams|VLServer|VLP
 # Written by hand in src/platform/exported_framebuffer_objects.cpp.
 GL_BY_HAND = {
     "glFramebufferTexture1D", "glFramebufferTexture2D", "glFramebufferTexture3D", "glFramebufferTextureLayer",
-    "glGenerateMipmap", "glCheckFramebufferStatus",
+    "glGenerateMipmap", "glCheckFramebufferStatus", "glGetFramebufferAttachmentParameteriv",
     "glBindFramebufferEXT", "glBindRenderbufferEXT", "glBlitFramebufferEXT",
     "glCheckFramebufferStatusEXT", "glDeleteFramebuffersEXT", "glDeleteRenderbuffersEXT",
     "glFramebufferRenderbufferEXT", "glFramebufferTexture1DEXT", "glFramebufferTexture2DEXT",

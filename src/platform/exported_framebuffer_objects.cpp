@@ -7,6 +7,7 @@
 #include <legacy_gl/framebuffer_objects.h>
 
 #include <array>
+#include <map>
 #include <mutex>
 #include <set>
 
@@ -19,16 +20,23 @@ using legacy_gl::platform::find_gl;
 namespace {
 
 /// The driver's names of textures that were attached and cannot be drawn into.
-std::mutex unrenderable_mutex;
+std::mutex names_mutex;
 std::set<GLuint>& unrenderable() {
   static auto& names = *new std::set<GLuint>;  // never destroyed: a program may call until its end
+  return names;
+}
+
+/// Textures that were attached, by the driver's names.
+std::map<GLuint, GLuint>& attached() {
+  static auto& names = *new std::map<GLuint, GLuint>;
   return names;
 }
 
 GLuint driver_name(GLuint texture) {
   if (!texture || !legacy_gl_get_current()) return texture;
   const GLuint name = legacy_gl_driver_texture(texture);
-  const std::lock_guard lock(unrenderable_mutex);
+  const std::lock_guard lock(names_mutex);
+  attached()[name] = texture;
   if (legacy_gl_is_renderable(texture)) unrenderable().erase(name);
   else unrenderable().insert(name);
   return name;
@@ -36,7 +44,7 @@ GLuint driver_name(GLuint texture) {
 
 /// Of the framebuffer object that the driver has bound.
 bool has_unrenderable_texture(GLenum target) {
-  const std::lock_guard lock(unrenderable_mutex);
+  const std::lock_guard lock(names_mutex);
   if (unrenderable().empty()) return false;
   const auto ask = reinterpret_cast<decltype(&glGetFramebufferAttachmentParameteriv)>(
       find_gl("glGetFramebufferAttachmentParameteriv"));
@@ -138,6 +146,23 @@ LEGACY_GL_EXPORT GLenum APIENTRY glCheckFramebufferStatus(GLenum target) {
                  has_unrenderable_texture(target)
              ? GLenum{GL_FRAMEBUFFER_UNSUPPORTED}
              : status;
+}
+
+LEGACY_GL_EXPORT void APIENTRY glGetFramebufferAttachmentParameteriv(GLenum target,
+                                                                     GLenum attachment, GLenum name,
+                                                                     GLint* values) {
+  const auto ask = reinterpret_cast<decltype(&glGetFramebufferAttachmentParameteriv)>(
+      find_gl("glGetFramebufferAttachmentParameteriv"));
+  if (!ask) return;
+  const BesideOurs beside;
+  ask(target, attachment, name, values);
+  if (name != GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME || !values || !legacy_gl_get_current()) return;
+  GLint type = GL_NONE;
+  ask(target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  if (type != GL_TEXTURE) return;
+  const std::lock_guard lock(names_mutex);
+  if (const auto own = attached().find(static_cast<GLuint>(*values)); own != attached().end())
+    *values = static_cast<GLint>(own->second);
 }
 
 LEGACY_GL_EXPORT void APIENTRY glGenerateMipmap(GLenum target) {

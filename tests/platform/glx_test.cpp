@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -216,8 +217,9 @@ TEST(Glx, FramebufferObjectsOfTheFirstExtension) {
   for (const char* const name :
        {"GL_EXT_framebuffer_object", "GL_EXT_framebuffer_blit", "GL_EXT_packed_depth_stencil"})
     EXPECT_NE(extensions.find(name), std::string::npos) << name;
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
+  std::array<GLuint, 2> textures{};
+  glGenTextures(2, textures.data());
+  const GLuint texture = textures[1];  // the driver's first
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
   const auto bind_framebuffer = function<PFNGLBINDFRAMEBUFFEREXTPROC>("glBindFramebufferEXT");
@@ -241,6 +243,12 @@ TEST(Glx, FramebufferObjectsOfTheFirstExtension) {
   EXPECT_EQ(function<PFNGLCHECKFRAMEBUFFERSTATUSEXTPROC>("glCheckFramebufferStatusEXT")(
                 GL_FRAMEBUFFER_EXT),
             static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE_EXT));
+  GLint attached = 0;
+  function<PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVEXTPROC>(
+      "glGetFramebufferAttachmentParameterivEXT")(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT,
+                                                  GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_EXT,
+                                                  &attached);
+  EXPECT_EQ(static_cast<GLuint>(attached), texture);
   draw_lit_square(0.25f, 0.5f, 0.75f);
   EXPECT_EQ(pixel(10, 10), lit(0.25f, 0.5f, 0.75f));
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
