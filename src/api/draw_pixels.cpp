@@ -6,6 +6,7 @@
 #include "backend/backend.hpp"
 #include "backend/read_pixels.hpp"
 #include "dlist/dispatch.hpp"
+#include "state/framebuffer.hpp"
 #include "immediate/feedback_batch.hpp"
 #include "texture/pixel_format.hpp"
 #include "texture/recorded_pixels.hpp"
@@ -113,6 +114,7 @@ void copy_pixels(Context& c, PixelRectangle from, GLenum type) {
   if (format == GL_NONE) return raise_error(c, GL_INVALID_ENUM);
   if (from.width < 0 || from.height < 0) return raise_error(c, GL_INVALID_VALUE);
   if (const GLenum error = missing_buffer_error(c, format)) return raise_error(c, error);
+  if (const GLenum error = multisampled_object_error(c)) return raise_error(c, error);
   const Driver& driver = c.backend->driver;
   if (!can_read_pixels(driver, format)) {
     diagnose(c, "glCopyPixels: this driver (OpenGL ES) reads colours alone");

@@ -37,6 +37,7 @@ void read_pixels_into(Context& c, PixelRectangle rectangle, GLenum format, GLenu
   if (const GLenum error = pixel_rectangle_error(format, type)) return raise_error(c, error);
   if (format == GL_COLOR_INDEX) return raise_error(c, GL_INVALID_OPERATION);
   if (const GLenum error = missing_buffer_error(c, format)) return raise_error(c, error);
+  if (const GLenum error = multisampled_object_error(c)) return raise_error(c, error);
   if (!can_read_pixels(c.backend->driver, format)) {
     diagnose(c, "glReadPixels: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);

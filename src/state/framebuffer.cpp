@@ -61,6 +61,13 @@ bool draws_to_framebuffer_object(const Context& context) {
   return driver_integer(context, GL_DRAW_FRAMEBUFFER_BINDING) != 0;
 }
 
+GLenum multisampled_object_error(const Context& context) {
+  const GLint read = driver_integer(context, GL_READ_FRAMEBUFFER_BINDING);
+  // The driver tells the samples of what is drawn into.
+  if (!read || read != driver_integer(context, GL_DRAW_FRAMEBUFFER_BINDING)) return GL_NO_ERROR;
+  return driver_integer(context, GL_SAMPLE_BUFFERS) ? GL_INVALID_OPERATION : GL_NO_ERROR;
+}
+
 GLint framebuffer_bits(const Context& context, FramebufferChannel channel) {
   const Driver& driver = context.backend->driver;
   const ChannelNames names = names_of(channel);

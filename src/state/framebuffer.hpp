@@ -11,6 +11,10 @@ GLint framebuffer_bits(const Context& context, FramebufferChannel channel);
 /// The program bound a framebuffer object, or made its context without a window.
 bool draws_to_framebuffer_object(const Context& context);
 
+/// Pixels of a framebuffer object with several samples cannot be read (EXT_framebuffer_multisample
+/// 4.3.2): the error, or GL_NO_ERROR.
+GLenum multisampled_object_error(const Context& context);
+
 bool is_double_buffered(const Context& context);
 bool is_stereo(const Context& context);
 

@@ -174,6 +174,27 @@ TEST(FramebufferObjects, DepthAndStencilInOneWord) {
   bind(0);
 }
 
+TEST(FramebufferObjects, PixelsOfSeveralSamplesCannotBeRead) {
+  CoreContext context(kSize, kSize);
+  const GlFunctions& gl = context.gl;
+  GLuint framebuffer = 0, renderbuffer = 0;
+  driver<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &framebuffer);
+  driver<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers")(1, &renderbuffer);
+  driver<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer")(GL_RENDERBUFFER, renderbuffer);
+  driver<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC>("glRenderbufferStorageMultisample")(
+      GL_RENDERBUFFER, 4, GL_RGBA8, kSize, kSize);
+  bind(framebuffer);
+  driver<PFNGLFRAMEBUFFERRENDERBUFFERPROC>("glFramebufferRenderbuffer")(
+      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
+  pixel(gl, 0, 0);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  gl.CopyPixels(0, 0, 1, 1, GL_COLOR);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  bind(0);
+  pixel(gl, 0, 0);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST(FramebufferObjects, NamesAndErrors) {
   CoreContext context(kSize, kSize);
   const GlFunctions& gl = context.gl;
