@@ -6,8 +6,8 @@
 #include "backend/backend.hpp"
 #include "backend/read_pixels.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/framebuffer.hpp"
 #include "immediate/feedback_batch.hpp"
+#include "state/framebuffer.hpp"
 #include "texture/pixel_format.hpp"
 #include "texture/recorded_pixels.hpp"
 
