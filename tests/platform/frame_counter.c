@@ -49,6 +49,7 @@ static void count_frame(void) {
 
 __attribute__((visibility("default"))) void glXSwapBuffers(void* display, unsigned long drawable);
 __attribute__((visibility("default"))) unsigned eglSwapBuffers(void* display, void* surface);
+__attribute__((visibility("default"))) void SDL_GL_SwapBuffers(void);
 
 void glXSwapBuffers(void* display, unsigned long drawable) {
   static void (*next)(void*, unsigned long);
@@ -63,4 +64,13 @@ unsigned eglSwapBuffers(void* display, void* surface) {
   const unsigned result = next(display, surface);
   count_frame();
   return result;
+}
+
+/* SDL takes glXSwapBuffers from the library that it opened itself, where no preloaded one is met.
+ */
+void SDL_GL_SwapBuffers(void) {
+  static void (*next)(void);
+  if (!next) *(void**)&next = dlsym(RTLD_NEXT, "SDL_GL_SwapBuffers");
+  next();
+  count_frame();
 }
