@@ -381,8 +381,6 @@ TEST(OldDriver, GivesNoContextAndSaysWhy) {
   EXPECT_NE(at, std::string::npos) << said;
   EXPECT_EQ(said.find("no OpenGL 3.3 core context", at + 1), std::string::npos) << "once";
   glColor3f(1, 0, 0);  // programs that do not look at what they got
-  EXPECT_FALSE(glXMakeCurrent(display(), window.name, nullptr) &&
-               glXGetCurrentContext() != nullptr);
 }
 
 }  // namespace
