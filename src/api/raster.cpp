@@ -164,6 +164,11 @@ void line_width(Context& c, float width) {
   if (refused(c, width > 0, GL_INVALID_VALUE)) return;
   set(c, c.raster.line.width, width);
 }
+void line_stipple(Context& c, GLint factor, GLushort pattern) {
+  if (refused(c, true, 0)) return;
+  set(c, c.raster.line.stipple_factor, std::clamp(factor, 1, 256));
+  set(c, c.raster.line.stipple_pattern, pattern);
+}
 
 void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (refused(c, width >= 0 && height >= 0, GL_INVALID_VALUE)) return;
@@ -277,6 +282,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglPointParameteriv(GLenum pname, const GL
   point_parameter_vector(pname, params);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineWidth(GLfloat width) { dispatch<line_width>(width); }
+LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineStipple(GLint factor, GLushort pattern) {
+  dispatch<line_stipple>(factor, pattern);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglScissor(GLint x, GLint y, GLsizei width, GLsizei height) {
   dispatch<scissor>(x, y, width, height);
 }

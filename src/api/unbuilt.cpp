@@ -5,7 +5,3 @@
 #include "state/gl_types.hpp"
 
 using legacy_gl::report_unbuilt;
-
-LEGACY_GL_API void LEGACY_GL_APIENTRY lglLineStipple(GLint, GLushort) {
-  report_unbuilt("glLineStipple");
-}

@@ -61,6 +61,10 @@ bool Backend::widens_lines(const Context& context) const {
   return thin_lines_ && whole_line_width(context.raster.line) > 1;
 }
 
+bool Backend::replaces_lines(const Context& context) const {
+  return widens_lines(context) || is_stippled(context.raster.line);
+}
+
 void Backend::reset_driver_state() {
   bound_program_ = bound_array_ = 0;  // no name of ours
   raster_.forget();
@@ -319,7 +323,7 @@ void Backend::draw_batch(Context& context) {
   if (recorder.is_lit()) light_vertices(context);
   else if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   else enlarge_normals(context, 0);
-  if ((is_unfilled(context.raster.polygon) || widens_lines(context)) && draw_unfilled(context))
+  if ((is_unfilled(context.raster.polygon) || replaces_lines(context)) && draw_unfilled(context))
     return;
   DrawBounds bounds;
   DrawFacts facts;

@@ -87,6 +87,8 @@ class Backend {
 
   /// Lines are made wide here, because the driver draws thin ones alone.
   bool widens_lines(const Context& context) const;
+  /// Lines are drawn as others, made here: wide or stippled.
+  bool replaces_lines(const Context& context) const;
 
   void clear_accumulation(const Context& context);
   /// glAccum. Nothing waits.
@@ -129,10 +131,11 @@ class Backend {
   void draw_points(const Context& context, ProgramKey& key) const;
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
   bool use_program(Context& context, const ProgramKey& key, std::uint64_t vertices);
-  /// Draws the batch when it has polygons that become lines or points, or lines that become wide;
+  /// Draws the batch when it has polygons that become lines or points, or lines that become others;
   /// otherwise false.
   bool draw_unfilled(Context& context);
   void widen_lines_of(Context& context, const VertexLayout& layout, const float* vertices);
+  void stipple_lines_of(const Context& context);
   void upload_uniforms(Context& context);
   void upload_stale_blocks(Context& context);
   void stage_stale_blocks(Context& context);

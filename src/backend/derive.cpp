@@ -185,13 +185,13 @@ bool Derived::choose_normalize(Context& context, bool unit_normals) {
 void Derived::fill_transform(const Context& context) {
   stale[kTransformBlock] = true;
   const Matrix& matrix = modelview(context);
-  const float size = whole_point_size(context.raster.point);
+  const float size = drawn_point_size(context.raster.point);
   const PointState& point = context.raster.point;
   stale[kPointsBlock] = true;
   points = {matrix.single,
             {point.size, point.size_min, point.size_max, point.fade_threshold},
             glm::vec4(point.attenuation, 0)};
-  transform.point = {size, std::fmod(size, 2.0f) == 0 ? 0.0f : 0.5f, 0, 0};
+  transform.point = {size, std::fmod(size, 2.0f) == 0 ? 0.0f : 0.5f, 0, size + 1};
   const std::array<GLint, 4>& box = context.raster.viewport.box;
   const glm::vec2 half_size(static_cast<float>(box[2]) / 2, static_cast<float>(box[3]) / 2);
   transform.viewport = {

@@ -10,6 +10,7 @@ namespace legacy_gl {
 
 Coverage coverage_of(const RasterState& raster, GLenum mode) {
   if (mode >= GL_TRIANGLES && raster.polygon.stipple_enabled) return Coverage::kPolygonStipple;
+  if (mode == GL_POINTS && raster.point.smooth_enabled) return Coverage::kSmoothPoint;
   return Coverage::kWhole;
 }
 

@@ -109,7 +109,7 @@ const void* Backend::write_indices(Context& context, const void* indices, std::s
 bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
   const ClientArray& positions = context.arrays.arrays[kVertexArray];
   // The primitives themselves are needed.
-  if (is_unfilled(context.raster.polygon) || (is_line(draw.mode) && widens_lines(context)))
+  if (is_unfilled(context.raster.polygon) || (is_line(draw.mode) && replaces_lines(context)))
     return false;
   VertexLayout layout = Recorder::relevant_layout(context);
   if (positions.size == 4) layout.fields |= kFieldPositionW;

@@ -107,7 +107,7 @@ double area(const float* a, const float* b, const float* c) {
 bool Backend::derive_lighting(Context& context, const DrawFacts& facts) {
   if (!transforms_as_shaders_ || !context.lighting.enabled || !programs_.has_stand_ins() ||
       Recorder::relevant_layout(context) != kLitFrom || looks_at_reach(context) ||
-      widens_lines(context) || context.raster.point.is_attenuated())
+      replaces_lines(context) || context.raster.point.is_attenuated())
     return false;
   unseen_by_derived_ |= context.dirty & ~std::uint32_t{kDirtyRaster};
   context.dirty |= std::exchange(unseen_by_lighting_, 0) & ~std::uint32_t{kDirtyRaster};

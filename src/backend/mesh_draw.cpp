@@ -28,7 +28,7 @@ void draw_kept_mesh(Context& context, const ListMesh& mesh) {
     return std::any_of(mesh.runs.begin(), mesh.runs.end(),
                        [](const PrimitiveRun& run) { return is_line(run.mode); });
   };
-  if ((context.backend->widens_lines(context) && has_lines()) ||
+  if ((context.backend->replaces_lines(context) && has_lines()) ||
       (mesh.tiny_normals && context.transform.normalize_enabled))
     return record_mesh(context, mesh);
   if (context.backend->join_mesh(context, mesh)) return;

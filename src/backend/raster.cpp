@@ -98,7 +98,8 @@ void RasterApplier::apply(const Driver& driver, const RasterState& wanted,
   if (!known_ || have.multisample != wanted.multisample)
     apply_multisample(driver, wanted.multisample);
   if (driver.PointSize && (!known_ || have.point != wanted.point))
-    driver.PointSize(whole_point_size(wanted.point));
+    // The square of a smooth point holds all pixels that the circle touches.
+    driver.PointSize(drawn_point_size(wanted.point) + (wanted.point.smooth_enabled ? 1.0f : 0.0f));
   if (!driver.is_es() && (!known_ || have.point != wanted.point))
     set_enabled(driver, GL_PROGRAM_POINT_SIZE, wanted.point.is_attenuated_or_fades());
   if (!known_ || have.line != wanted.line) {

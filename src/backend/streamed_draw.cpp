@@ -72,7 +72,7 @@ std::optional<std::uint32_t> Backend::stream_vertices(Context& context, const Ar
 
 bool Backend::draw_streamed(Context& context, const ArrayDraw& draw) {
   if (draw.count < kWorthwhileVertices || is_unfilled(context.raster.polygon)) return false;
-  if (is_line(draw.mode) && widens_lines(context)) return false;
+  if (is_line(draw.mode) && replaces_lines(context)) return false;
   if (draw.mode == GL_QUADS && !draw.is_indexed()) return false;  // the split depends on positions
   ReadableArrays readable(context);
   const ArrayView& positions = readable.views()[kVertexArray];

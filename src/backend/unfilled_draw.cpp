@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "backend/backend.hpp"
+#include "immediate/line_stipple.hpp"
 #include "state/framebuffer.hpp"
 
 namespace legacy_gl {
@@ -42,12 +43,36 @@ void Backend::widen_lines_of(Context& context, const VertexLayout& layout, const
   }
 }
 
+void Backend::stipple_lines_of(const Context& context) {
+  ExpandedBatch& expanded = unfilled_scratch_;
+  const Recorder& recorder = context.recorder;
+  if (!expanded.own_vertices) {
+    expanded.own_vertices = true;
+    expanded.layout = recorder.layout();
+    expanded.vertices.assign(
+        recorder.data(),
+        recorder.data() + std::size_t{recorder.vertex_count()} * recorder.offsets().stride);
+  }
+  std::array<glm::vec4, kMaxClipPlanes> planes;
+  std::size_t plane_count = 0;
+  for (unsigned i = 0; i < kMaxClipPlanes; ++i)
+    if (derived_.key.fragments.clip_planes & 1u << i)
+      planes[plane_count++] = derived_.clip_planes.planes[i];
+  stipple_lines({.line = context.raster.line,
+                 .modelview_projection = derived_.transform.modelview_projection,
+                 .viewport = context.raster.viewport,
+                 .clip_planes = {planes.data(), plane_count},
+                 .flat = derived_.key.flat},
+                expanded);
+}
+
 bool Backend::draw_unfilled(Context& context) {
   const Recorder& recorder = context.recorder;
   const std::vector<PrimitiveRun>& runs = recorder.runs();
   const bool wide = widens_lines(context), unfilled = is_unfilled(context.raster.polygon);
+  const bool stippled = is_stippled(context.raster.line);
   if (std::none_of(runs.begin(), runs.end(), [=](const PrimitiveRun& run) {
-        return (unfilled && is_polygonal(run.mode)) || (wide && is_line(run.mode));
+        return (unfilled && is_polygonal(run.mode)) || ((wide || stippled) && is_line(run.mode));
       }))
     return false;
   prepare(context, recorder.layout());
@@ -59,12 +84,14 @@ bool Backend::draw_unfilled(Context& context) {
                             .two_side = key.two_side,
                             .flat = key.flat,
                             .lighting_position = key.flat && reads_lighting_position(key),
-                            .depth_resolution = depth_resolution(context)};
+                            .depth_resolution = depth_resolution(context),
+                            .line_stipple = stippled};
   ExpandedBatch& expanded = unfilled_scratch_;
   expand_unfilled(
       {recorder.layout(), recorder.data(), recorder.vertex_count(), runs, recorder.elements()},
       state, expanded);
-  if (expanded.groups.empty()) return true;
+  if (stippled) stipple_lines_of(context);
+  if (expanded.indices.empty()) return true;
 
   const VertexLayout layout = expanded.own_vertices ? expanded.layout : recorder.layout();
   const std::size_t stride = offsets_of(layout).stride * sizeof(float);
@@ -92,6 +119,7 @@ bool Backend::draw_unfilled(Context& context) {
   }
   for (std::size_t g = 0; g < expanded.groups.size(); ++g) {
     const PrimitiveGroup& group = expanded.groups[g];
+    if (!group.count) continue;
     ProgramKey variant = key;
     if (group.mode == GL_POINTS) draw_points(context, variant);
     variant.fragments.coverage = coverage_of(context.raster, group.mode);

@@ -1,5 +1,6 @@
 #include "immediate/clip_test.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -43,6 +44,23 @@ bool all_beyond_one_plane(const glm::mat4& m, const float* positions, std::uint3
       if (i == count) return true;
     }
   return false;
+}
+
+std::optional<VisiblePart> visible_part(const glm::vec4& a, const glm::vec4& b,
+                                        std::span<const glm::vec4> planes) {
+  VisiblePart part;
+  const auto cut = [&part](float from, float to) {
+    if (from < 0) part.begin = std::max(part.begin, from / (from - to));
+    if (to < 0) part.end = std::min(part.end, from / (from - to));
+    return from >= 0 || to >= 0;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f})
+      if (!cut(a.w + side * a[axis], b.w + side * b[axis])) return {};
+  for (const glm::vec4& plane : planes)
+    if (!cut(glm::dot(plane, a), glm::dot(plane, b))) return {};
+  if (!(part.begin <= part.end)) return {};
+  return part;
 }
 
 }  // namespace legacy_gl

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 
 namespace legacy_gl {
@@ -15,5 +16,13 @@ bool any_outside(const glm::mat4& modelview_projection, std::span<const glm::vec
 /// they make up is seen.
 bool all_beyond_one_plane(const glm::mat4& modelview_projection, const float* positions,
                           std::uint32_t count, unsigned stride, bool has_w);
+
+/// The part of a line that is in the view volume and before the planes, which are in clip
+/// coordinates: from `begin` to `end` of the way from one end to the other.
+struct VisiblePart {
+  float begin = 0, end = 1;
+};
+std::optional<VisiblePart> visible_part(const glm::vec4& a, const glm::vec4& b,
+                                        std::span<const glm::vec4> planes);
 
 }  // namespace legacy_gl

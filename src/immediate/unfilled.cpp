@@ -50,6 +50,7 @@ class Expander {
     out_.vertices.clear();
     out_.indices.clear();
     out_.groups.clear();
+    out_.restarts.clear();
   }
 
   void expand(const PrimitiveRun& run) {
@@ -58,13 +59,18 @@ class Expander {
     };
     if (!is_polygonal(run.mode)) {
       open_group(run.mode, false);
-      for (std::uint32_t k = 0; k < run.count; ++k) add_index(corner(vertex(k), vertex(k), 0));
+      for (std::uint32_t k = 0; k < run.count; ++k) {
+        restarts_ = run.mode == GL_LINES && k % 2 == 0;
+        note_restart();
+        add_index(corner(vertex(k), vertex(k), 0));
+      }
       return;
     }
     const bool flagged = uses_edge_flags(run.mode) && batch_.layout.fields & kFieldEdgeFlag;
     for_each_triangle(run.mode, run.count,
                       [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, unsigned edges) {
                         Triangle triangle{{vertex(a), vertex(b), vertex(c)}, edges};
+                        restarts_ = restarts_ || edges & kEdgeCA;  // its first triangle
                         if (flagged) drop_unflagged(triangle);
                         expand(triangle);
                       });
@@ -192,7 +198,15 @@ class Expander {
     ++out_.groups.back().count;
   }
 
+  /// The next line is the first that the pattern of lines goes along.
+  void note_restart() {
+    if (restarts_ && state_.line_stipple)
+      out_.restarts.push_back(static_cast<std::uint32_t>(out_.indices.size()));
+    restarts_ = false;
+  }
+
   void add_line(std::uint32_t from, std::uint32_t to) {
+    note_restart();
     add_index(from);
     add_index(to);
   }
@@ -205,6 +219,7 @@ class Expander {
   std::array<GLenum, 2> modes_{};  ///< by face: front, back
   std::array<bool, 2> culls_{}, offset_{};
   bool needs_facing_ = false;
+  bool restarts_ = false;
 };
 
 }  // namespace

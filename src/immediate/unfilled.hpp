@@ -31,6 +31,7 @@ struct UnfilledState {
   /// The smallest difference of window depths that the depth buffer tells apart (GL 2.1 spec 3.5.5,
   /// "r").
   double depth_resolution = 0;
+  bool line_stipple = false;  ///< where the pattern of lines begins anew matters
 };
 
 /// Indices first to first + count - 1, drawn as `mode`.
@@ -48,6 +49,10 @@ struct ExpandedBatch {
   std::vector<float> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<PrimitiveGroup> groups;
+  /// With line stipple: the indices with which lines of GL_LINES begin where the pattern begins
+  /// too.
+  std::vector<std::uint32_t> restarts;
+  std::vector<std::uint32_t> uncut;  ///< indices, while lines are cut
   std::vector<glm::vec4> clip;  ///< the batch's positions in clip coordinates, while it is expanded
 };
 

@@ -6,6 +6,8 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "immediate/clip_test.hpp"
+
 namespace legacy_gl {
 
 namespace {
@@ -14,16 +16,9 @@ namespace {
 /// of it is. The line is clipped before it is widened (GL 2.1 spec 2.12).
 std::optional<glm::vec2> visible_extent(const glm::vec4& a, const glm::vec4& b,
                                         const ViewportState& viewport) {
-  float begin = 0, end = 1;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const float side : {-1.0f, 1.0f}) {
-      const float from = a.w + side * a[axis], to = b.w + side * b[axis];
-      if (!(from >= 0) && !(to >= 0)) return {};
-      if (from < 0) begin = std::max(begin, from / (from - to));
-      if (to < 0) end = std::min(end, from / (from - to));
-    }
-  if (!(begin <= end)) return {};
-  const glm::vec4 first = a + begin * (b - a), last = a + end * (b - a);
+  const std::optional<VisiblePart> part = visible_part(a, b, {});
+  if (!part) return {};
+  const glm::vec4 first = a + part->begin * (b - a), last = a + part->end * (b - a);
   if (!(first.w > 0) || !(last.w > 0)) return {};
   const glm::vec2 size(static_cast<float>(viewport.box[2]), static_cast<float>(viewport.box[3]));
   return (glm::vec2(last) / last.w - glm::vec2(first) / first.w) * size / 2.0f;

@@ -32,8 +32,8 @@ void emit_fog_block(Writer& w, const FragmentKey& key);
 void emit_fog_coordinate(Writer& w, const FragmentKey& key);
 void emit_fog(Writer& w, const FragmentKey& key, FragmentColors& colors);
 void emit_alpha_test(Writer& w, const FragmentKey& key, FragmentColors& colors);
-void emit_coverage_block(Writer& w, const FragmentKey& key);
-void emit_coverage(Writer& w, const FragmentKey& key);
+void emit_coverage_block(Writer& w, const ProgramKey& key);
+void emit_coverage(Writer& w, const ProgramKey& key, FragmentColors& colors);
 void emit_clip_block(Writer& w, const FragmentKey& key);
 void emit_clip_varyings(Writer& w, const FragmentKey& key, Dialect dialect,
                         const std::string& direction);

@@ -67,7 +67,7 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   Writer w;
   emit_header(w, key, dialect, "fragment");
   emit_fog_block(w, key.fragments);
-  emit_coverage_block(w, key.fragments);
+  emit_coverage_block(w, key);
   if (key.per_fragment) emit_per_fragment_blocks(w, key);
   if (fragment_reads_texture_block(key.textures)) emit_texture_block(w, key.textures);
   emit_varyings(w, key, dialect, "in");
@@ -88,7 +88,7 @@ std::string emit_fragment(const ProgramKey& key, Dialect dialect) {
   emit_color_sum(w, key, colors);
   emit_fog(w, key.fragments, colors);
   emit_point_fade(w, key, colors);
-  emit_coverage(w, key.fragments);
+  emit_coverage(w, key, colors);
   emit_alpha_test(w, key.fragments, colors);
   w.line("fragment_color = " + colors.primary + ";");
   w.close();

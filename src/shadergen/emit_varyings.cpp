@@ -31,6 +31,8 @@ void emit_varyings(Writer& w, const ProgramKey& key, Dialect dialect,
   if (key.per_fragment) emit_per_fragment_varyings(w, key, direction);
   else emit_color_varyings(w, key, dialect, direction);
   if (key.point_fade) w.line(direction + " float point_fade;");
+  if (key.point_distance && key.fragments.coverage == Coverage::kSmoothPoint)
+    w.line(direction + " float point_side;");
   if (key.fragments.has_fog()) w.line(direction + " float fog_distance;");
   emit_clip_varyings(w, key.fragments, dialect, direction);
   emit_texture_varyings(w, key.textures, direction);

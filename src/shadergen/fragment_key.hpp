@@ -20,7 +20,8 @@ enum class AlphaFunction : std::uint8_t {
 /// Which fragments of a primitive there are, beside those that it is made of.
 enum class Coverage : std::uint8_t {
   kWhole,
-  kPolygonStipple  ///< where the pattern has a bit
+  kPolygonStipple,  ///< where the pattern has a bit
+  kSmoothPoint      ///< in a circle, whose edge takes away from alpha
 };
 
 /// What happens to fragments beside texturing, and where primitives are clipped.

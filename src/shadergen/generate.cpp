@@ -57,8 +57,26 @@ void emit_point_size(Writer& w, const ProgramKey& key) {
     w.line("point_fade = shown * shown;");
     w.line("point_size = max(point_size, point_sizes.w);");
   }
-  w.line("gl_PointSize = max(1.0, ceil(point_size - 0.5));");
-  w.line("float odd_half = 0.5 * mod(gl_PointSize, 2.0);");
+}
+
+/// OpenGL ES draws the part of a point that reaches into view; OpenGL clips the point (GL 2.1
+/// spec 2.12).
+void emit_point_clip(Writer& w) {
+  w.line("gl_Position = visible ? gl_Position : vec4(0.0, 0.0, 2.0, 1.0);");
+}
+
+/// Smooth points are circles around where they are, in squares that hold all pixels they touch.
+void emit_smooth_point(Writer& w, const ProgramKey& key, Dialect dialect) {
+  if (key.point_distance) {
+    emit_point_size(w, key);
+    w.line("gl_PointSize = point_size + 1.0;");
+    w.line("point_side = gl_PointSize;");
+  } else if (dialect == Dialect::kEs300) {
+    w.line("gl_PointSize = point.w;");
+  }
+  if (dialect == Dialect::kCore330) return;
+  w.line("bool visible = all(lessThanEqual(abs(gl_Position.xy), vec2(gl_Position.w)));");
+  emit_point_clip(w);
 }
 
 /// Aliased points are squares of whole pixels (GL 2.1 spec 3.3.1): their centre moves to the middle
@@ -66,8 +84,13 @@ void emit_point_size(Writer& w, const ProgramKey& key) {
 /// not moved.
 void emit_point(Writer& w, const ProgramKey& key, Dialect dialect) {
   const std::string odd = key.point_distance ? "odd_half" : "point.y";
-  if (key.point_distance) emit_point_size(w, key);
-  else if (dialect == Dialect::kEs300) w.line("gl_PointSize = point.x;");
+  if (key.point_distance) {
+    emit_point_size(w, key);
+    w.line("gl_PointSize = max(1.0, ceil(point_size - 0.5));");
+    w.line("float odd_half = 0.5 * mod(gl_PointSize, 2.0);");
+  } else if (dialect == Dialect::kEs300) {
+    w.line("gl_PointSize = point.x;");
+  }
   w.line("vec2 window = gl_Position.xy / gl_Position.w * viewport.xy + viewport.zw;");
   w.line("window = floor(window * 256.0 + 0.5) / 256.0;  // as rasterisers snap");
   w.line("vec2 center = floor(window + 0.5 - " + odd + ") + " + odd + ";");
@@ -75,10 +98,7 @@ void emit_point(Writer& w, const ProgramKey& key, Dialect dialect) {
   w.line("vec2 edge = vec2(gl_Position.w);");
   w.line("bool visible = all(lessThanEqual(abs(gl_Position.xy), edge));");
   w.line("gl_Position.xy = visible ? clamp(snapped, -edge, edge) : gl_Position.xy;");
-  // OpenGL ES draws the part of a point that reaches into view; OpenGL clips the point (GL 2.1
-  // spec 2.12).
-  if (dialect == Dialect::kEs300)
-    w.line("gl_Position = visible ? gl_Position : vec4(0.0, 0.0, 2.0, 1.0);");
+  if (dialect == Dialect::kEs300) emit_point_clip(w);
 }
 
 std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
@@ -112,7 +132,8 @@ std::string vertex_shader(const ProgramKey& key, Dialect dialect) {
   if (is_zoomed(key.pixels)) w.line("place = pixel_place;");
   if (key.depth_offset) w.line("gl_Position.z += depth_offset * gl_Position.w;");
   if (key.line_offset) w.line("gl_Position.xyz += line_offset * gl_Position.w;");
-  if (key.points) emit_point(w, key, dialect);
+  if (key.fragments.coverage == Coverage::kSmoothPoint) emit_smooth_point(w, key, dialect);
+  else if (key.points) emit_point(w, key, dialect);
   emit_clip_distances(w, key.fragments, dialect);
   emit_fog_coordinate(w, key.fragments);
   if (key.per_fragment) {

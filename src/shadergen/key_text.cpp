@@ -59,7 +59,7 @@ void for_each_field(Key& key, Visit visit) {
   visit(key.fragments.fog_coordinate, 2);
   visit(key.fragments.alpha, 8);
   visit(key.fragments.clip_planes, 64);
-  visit(key.fragments.coverage, 2);
+  visit(key.fragments.coverage, 3);
   visit(key.textures.count, kMaxTextureStages + 1);
   visit(key.textures.normalize, 2);
   // The count is read before its stages are.

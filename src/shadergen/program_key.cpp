@@ -36,7 +36,7 @@ void describe_fragments(std::string& text, const FragmentKey& key) {
                      (key.fog_coordinate ? " by coordinate" : ""));
   if (key.has_alpha_test())
     append(text, std::string("alpha test ") + kAlpha[static_cast<unsigned>(key.alpha)]);
-  static constexpr const char* kCoverage[] = {"", "polygon stipple"};
+  static constexpr const char* kCoverage[] = {"", "polygon stipple", "smooth"};
   if (key.coverage != Coverage::kWhole)
     append(text, kCoverage[static_cast<unsigned>(key.coverage)]);
   for (unsigned plane = 0; plane < 8; ++plane)

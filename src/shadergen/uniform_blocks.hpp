@@ -33,8 +33,10 @@ struct TransformUniforms {
   glm::mat4 modelview_projection{1.0f};
   glm::mat4 modelview{1.0f};
   std::array<glm::vec4, 3> normal_matrix{};
-  glm::vec4 viewer{0};             ///< xyz: the eye in lighting space; w: scale of the normals
-  glm::vec4 point{1, 0.5f, 0, 0};  ///< x: point size in pixels, y: 0.5 where it is odd
+  glm::vec4 viewer{0};  ///< xyz: the eye in lighting space; w: scale of the normals
+  /// x: point size in pixels, y: 0.5 where it is odd; w: the side of the square that a
+  /// smooth point is in
+  glm::vec4 point{1, 0.5f, 0, 0};
   glm::vec4 viewport{1, 1, 0, 0};  ///< xy: half its size, zw: its centre, in window coordinates
   /// What the modelview lacks to keep angles exactly, a symmetric matrix: half its diagonal, and
   /// its yz, zx and xy.
@@ -45,7 +47,7 @@ inline constexpr const char* kTransformBlockText = R"(layout(std140) uniform Tra
   mat4 modelview;     // object to lighting space
   mat3 normal_matrix;
   vec4 viewer;        // xyz: the eye in lighting space, w: scale of the normals
-  vec4 point;         // x: point size in pixels, y: 0.5 where it is odd
+  vec4 point;         // x: point size in pixels, y: 0.5 where it is odd, w: side of a smooth point
   vec4 viewport;      // xy: half its size, zw: its centre, in window coordinates
   vec4 angle_error_half;   // what the modelview lacks to keep angles exactly: half its diagonal
   vec4 angle_error_mixed;  // its yz, zx, xy

@@ -26,6 +26,7 @@ bool* raster_flag(RasterState& raster, GLenum capability) {
     case GL_POLYGON_SMOOTH: return &raster.polygon.smooth_enabled;
     case GL_POLYGON_STIPPLE: return &raster.polygon.stipple_enabled;
     case GL_POINT_SMOOTH: return &raster.point.smooth_enabled;
+    case GL_LINE_STIPPLE: return &raster.line.stipple_enabled;
     case GL_LINE_SMOOTH: return &raster.line.smooth_enabled;
     case GL_SCISSOR_TEST: return &raster.scissor.test_enabled;
     case GL_MULTISAMPLE: return &raster.multisample.enabled;
@@ -107,6 +108,7 @@ constexpr GLenum kEnableGroup[] = {GL_ALPHA_TEST,
                                    GL_INDEX_LOGIC_OP,
                                    GL_LIGHTING,
                                    GL_LINE_SMOOTH,
+                                   GL_LINE_STIPPLE,
                                    GL_MULTISAMPLE,
                                    GL_NORMALIZE,
                                    GL_POINT_SMOOTH,
@@ -144,14 +146,6 @@ void restore_enables(Context& context, const std::vector<std::uint8_t>& enables)
   for (TextureUnit& unit : context.texture.units)
     for (const GLenum capability : kTextureEnables)
       enable_texture(context, *texture_flag(unit, capability), enables[at++] != 0);
-}
-
-bool is_unbuilt_capability(GLenum capability) {
-  switch (capability) {
-    case GL_LINE_STIPPLE:
-    case GL_POINT_SMOOTH: return true;
-    default: return false;
-  }
 }
 
 namespace {
@@ -224,12 +218,6 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
     *enables = static_cast<std::uint16_t>(enabled ? *enables | bit : *enables & ~bit);
     return true;
   }
-  if (is_unbuilt_capability(capability)) {
-    if (!enabled) return true;
-    diagnose(context, in_words("glEnable(0x%04X) is not built yet", capability));
-    raise_error(context, GL_INVALID_OPERATION);
-    return true;
-  }
   bool* const flag = raster_flag(context.raster, capability);
   if (!flag) return false;
   if (enabled && is_missing_in_es(capability) && context.backend->driver.is_es())
@@ -237,6 +225,7 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
   std::uint32_t dirty = kDirtyRaster;
   if (capability == GL_CULL_FACE) dirty |= kDirtyKey;
   if (capability == GL_POLYGON_STIPPLE) dirty |= kDirtyFragments;
+  if (capability == GL_POINT_SMOOTH) dirty |= kDirtyTransform;
   assign(context, *flag, enabled, dirty);
   return true;
 }
@@ -262,7 +251,6 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known) 
     return (context.transform.clip.enabled >> plane & 1) != 0;
   if (const auto [enables, bit] = map_flag(context.evaluators.modes, capability); enables)
     return (*enables & bit) != 0;
-  if (is_unbuilt_capability(capability)) return false;
   const TextureUnit& unit = context.texture.units[context.active_texture];
   if (const bool* const flag = texture_flag(unit, capability)) return *flag;
   RasterState raster = context.raster;

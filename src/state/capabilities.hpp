@@ -17,7 +17,4 @@ bool capability_enabled(const Context& context, GLenum capability, bool& known);
 void save_enables(const Context& context, std::vector<std::uint8_t>& enables);
 void restore_enables(Context& context, const std::vector<std::uint8_t>& enables);
 
-/// GL 1.5 has it, this library does not build it yet: enabling one is refused, loudly.
-bool is_unbuilt_capability(GLenum capability);
-
 }  // namespace legacy_gl

@@ -1,5 +1,5 @@
-// State of GL 1.5 whose entry points are not built: nothing can have changed it, so glGet answers
-// its initial value (GL 2.1 spec tables 6.6 to 6.33). A row goes when its feature comes.
+// State of GL 1.5 that nothing changes: glGet answers its initial value (GL 2.1 spec tables 6.6
+// to 6.33).
 #include "state/queries.hpp"
 
 namespace legacy_gl {
@@ -13,11 +13,6 @@ void fixed(Context&, QueryValues& v) {
   (v.put(Values), ...);
 }
 
-constexpr Query kStipples[] = {
-    {GL_LINE_STIPPLE_PATTERN, kInteger, fixed<0xFFFF>},
-    {GL_LINE_STIPPLE_REPEAT, kInteger, fixed<1>},
-};
-
 /// What no driver under this library has: colour index mode and auxiliary buffers.
 constexpr Query kAbsentBuffers[] = {
     {GL_RGBA_MODE, kBoolean, fixed<1>},
@@ -29,7 +24,7 @@ constexpr Query kAbsentBuffers[] = {
 }  // namespace
 
 QueryGroups initial_value_queries() {
-  static constexpr std::span<const Query> kGroups[] = {kStipples, kAbsentBuffers};
+  static constexpr std::span<const Query> kGroups[] = {kAbsentBuffers};
   return kGroups;
 }
 

@@ -131,6 +131,10 @@ constexpr Query kRasterization[] = {
        for (int i = 0; i < 3; ++i) v.put(static_cast<double>(c.raster.point.attenuation[i]));
      }},
     {GL_LINE_WIDTH, kFloat, [](Context& c, QueryValues& v) { v.put(c.raster.line.width); }},
+    {GL_LINE_STIPPLE_PATTERN, kInteger,
+     [](Context& c, QueryValues& v) { v.put(GLint{c.raster.line.stipple_pattern}); }},
+    {GL_LINE_STIPPLE_REPEAT, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.raster.line.stipple_factor); }},
     {GL_CULL_FACE_MODE, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.raster.polygon.cull_face); }},
     {GL_FRONT_FACE, kInteger,

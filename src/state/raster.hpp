@@ -99,15 +99,23 @@ struct PointState {
 
 /// Aliased points are whole pixels wide (GL 2.1 spec 3.3.1); halves go down, as the reference
 /// rounds them.
-inline float whole_point_size(const PointState& point) {
-  return std::max(1.0f, std::ceil(point.clamped_size() - 0.5f));
+inline float drawn_point_size(const PointState& point) {
+  const float size = point.clamped_size();
+  return point.smooth_enabled ? size : std::max(1.0f, std::ceil(size - 0.5f));
 }
 
 struct LineState {
   float width = 1;
   bool smooth_enabled = false;
+  bool stipple_enabled = false;
+  GLint stipple_factor = 1;  ///< 1 to 256
+  GLushort stipple_pattern = 0xffff;
   bool operator==(const LineState&) const = default;
 };
+
+inline bool is_stippled(const LineState& line) {
+  return line.stipple_enabled && line.stipple_pattern != 0xffff;
+}
 
 /// Aliased lines are whole pixels wide (GL 2.1 spec 3.4.2).
 inline unsigned whole_line_width(const LineState& line) {

@@ -26,6 +26,7 @@ std::vector<Scene> depth_blend_cull_scenes();
 std::vector<Scene> points_lines_scenes();
 std::vector<Scene> polygon_mode_scenes();
 std::vector<Scene> polygon_stipple_scenes();
+std::vector<Scene> line_stipple_scenes();
 std::vector<Scene> material_in_begin_end_scenes();
 std::vector<Scene> vertex_formats_scenes();
 std::vector<Scene> rect_scenes();

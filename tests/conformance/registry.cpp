@@ -23,6 +23,7 @@ const std::vector<Feature>& features() {
       {"points_lines", points_lines_scenes()},
       {"polygon_mode", polygon_mode_scenes()},
       {"polygon_stipple", polygon_stipple_scenes()},
+      {"line_stipple", line_stipple_scenes()},
       {"material_in_begin_end", material_in_begin_end_scenes()},
       {"vertex_formats", vertex_formats_scenes()},
       {"rect", rect_scenes()},

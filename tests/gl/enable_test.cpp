@@ -41,8 +41,10 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_LIGHT0,
                                     GL_LIGHT7,
                                     GL_LINE_SMOOTH,
+                                    GL_LINE_STIPPLE,
                                     GL_MULTISAMPLE,
                                     GL_NORMALIZE,
+                                    GL_POINT_SMOOTH,
                                     GL_POLYGON_OFFSET_FILL,
                                     GL_POLYGON_SMOOTH,
                                     GL_POLYGON_OFFSET_LINE,
@@ -63,8 +65,6 @@ constexpr GLenum kCapabilities[] = {GL_BLEND,
                                     GL_TEXTURE_GEN_R,
                                     GL_TEXTURE_GEN_Q};
 
-constexpr GLenum kUnbuilt[] = {GL_LINE_STIPPLE, GL_POINT_SMOOTH};
-
 class Enable : public testing::TestWithParam<Dialect> {
  protected:
   Diagnostics diagnostics;
@@ -82,8 +82,6 @@ TEST_P(Enable, InitialState) {
     const bool initially = capability == GL_DITHER || capability == GL_MULTISAMPLE;
     EXPECT_EQ(gl.IsEnabled(capability), initially ? GL_TRUE : GL_FALSE) << std::hex << capability;
   }
-  for (const GLenum capability : kUnbuilt)
-    EXPECT_EQ(gl.IsEnabled(capability), GL_FALSE) << std::hex << capability;
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
 }
 
@@ -142,21 +140,6 @@ TEST(EnableArrays, AreClientStateAsInMesa) {
       gl.Disable(array);
       EXPECT_FALSE(gl.IsEnabled(array)) << array;
     }
-    EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
-  }
-}
-
-TEST_P(Enable, UnbuiltCapabilitiesSayItOnce) {
-  for (const GLenum capability : kUnbuilt) {
-    SCOPED_TRACE(testing::Message() << std::hex << "0x" << capability);
-    diagnostics.messages.clear();
-    for (int i = 0; i < 2; ++i) {
-      gl.Enable(capability);
-      EXPECT_EQ(gl.GetError(), GLenum{GL_INVALID_OPERATION});
-      EXPECT_EQ(gl.IsEnabled(capability), GL_FALSE);
-    }
-    EXPECT_EQ(diagnostics.messages.size(), 1U);
-    gl.Disable(capability);
     EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
   }
 }

@@ -66,7 +66,11 @@ void lighting(const GlFunctions& gl) {
 
 void rasterization(const GlFunctions& gl) {
   gl.PointSize(2.5F);
+  gl.Enable(GL_POINT_SMOOTH);
   gl.LineWidth(3.25F);
+  gl.LineStipple(7, 0x8421);
+  gl.Enable(GL_LINE_STIPPLE);
+  gl.Enable(GL_POLYGON_STIPPLE);
   gl.CullFace(GL_FRONT_AND_BACK);
   gl.FrontFace(GL_CW);
   gl.PolygonMode(GL_FRONT, GL_LINE);
@@ -82,6 +86,9 @@ void rasterization(const GlFunctions& gl) {
   gl.Enable(GL_SAMPLE_ALPHA_TO_ONE);
   gl.Disable(GL_MULTISAMPLE);
 }
+
+void line_stipple_factor_too_large(const GlFunctions& gl) { gl.LineStipple(1000, 0); }
+void line_stipple_factor_too_small(const GlFunctions& gl) { gl.LineStipple(-5, 0x0f0f); }
 
 void window(const GlFunctions& gl) {
   gl.Viewport(3, -4, 30, 20);
@@ -239,6 +246,8 @@ constexpr QueryCalls kCalls[] = {
     {"matrices", matrices},
     {"lighting", lighting},
     {"rasterization", rasterization},
+    {"line_stipple_factor_too_large", line_stipple_factor_too_large},
+    {"line_stipple_factor_too_small", line_stipple_factor_too_small},
     {"window", window},
     {"depth_and_stencil", depth_and_stencil},
     {"stencil_beyond_its_bits", stencil_beyond_its_bits},

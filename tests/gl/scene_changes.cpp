@@ -197,6 +197,17 @@ const std::vector<SceneChange>& scene_changes() {
        }},
       {"stipple pattern", [](Gl gl) { stipple(gl, 0x1e); }},
       {"no polygon stipple", [](Gl gl) { gl.Disable(GL_POLYGON_STIPPLE); }},
+      {"smooth points", [](Gl gl) { gl.Enable(GL_POINT_SMOOTH); }},
+      {"size of smooth points", [](Gl gl) { gl.PointSize(6.4f); }},
+      {"no smooth points", [](Gl gl) { gl.Disable(GL_POINT_SMOOTH); }},
+      {"line stipple",
+       [](Gl gl) {
+         gl.LineStipple(1, 0x3939);
+         gl.Enable(GL_LINE_STIPPLE);
+       }},
+      {"line stipple's factor", [](Gl gl) { gl.LineStipple(2, 0x3939); }},
+      {"line stipple's pattern", [](Gl gl) { gl.LineStipple(2, 0x0f35); }},
+      {"no line stipple", [](Gl gl) { gl.Disable(GL_LINE_STIPPLE); }},
       {"lighting off", [](Gl gl) { gl.Disable(GL_LIGHTING); }},
       {"color sum",
        [](Gl gl) {

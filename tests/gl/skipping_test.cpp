@@ -211,6 +211,20 @@ TEST_F(Skipping, APolygonStippleConcernsPolygonsAlone) {
   EXPECT_EQ(draw().uniform_bytes_uploaded, 0u);
 }
 
+// Patterns of lines make no program; that of smooth points is the points' own.
+TEST_F(Skipping, LineStippleMakesNoProgramAndSmoothPointsOne) {
+  draw();
+  gl.LineStipple(2, 0x1234);
+  EXPECT_EQ(draw().uniform_bytes_uploaded, 0u);
+  gl.Enable(GL_LINE_STIPPLE);
+  const legacy_gl_statistics stippled = draw();
+  EXPECT_EQ(stippled.programs_generated, 0u);
+  EXPECT_EQ(stippled.uniform_bytes_uploaded, 0u);
+  gl.Disable(GL_LINE_STIPPLE);
+  gl.Enable(GL_POINT_SMOOTH);
+  EXPECT_EQ(draw().programs_generated, 1u);
+}
+
 TEST_F(Skipping, MatricesThatAreNotDrawnWithAreNotDerivedFrom) {
   draw();
   const Image before = context.read_rgba8();

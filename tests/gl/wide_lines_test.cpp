@@ -143,6 +143,21 @@ TEST_F(WideLines, StripsAndLoops) {
       5 * 2);
 }
 
+TEST_F(WideLines, Stippled) {
+  compare([](const GlFunctions& gl) {
+    gl.LineStipple(3, 0x1c4f);
+    gl.Enable(GL_LINE_STIPPLE);
+    gl.LineWidth(3);
+    bent(gl, GL_LINE_STRIP);
+    gl.Scalef(0.4F, 0.4F, 1);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    bent(gl, GL_POLYGON);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    gl.LoadIdentity();
+    gl.Disable(GL_LINE_STIPPLE);
+  });
+}
+
 TEST_F(WideLines, UnfilledPolygons) {
   compare([](const GlFunctions& gl) {
     gl.LineWidth(3);

@@ -51,7 +51,8 @@ class RandomKeys {
         key.fragments.has_fog() && !key.depth_offset && !key.line_offset && chance(3);
     if (chance(4)) key.fragments.alpha = static_cast<AlphaFunction>(below(8));
     if (chance(5)) key.fragments.clip_planes = static_cast<std::uint8_t>(below(64));
-    if (!key.points && chance(6)) key.fragments.coverage = Coverage::kPolygonStipple;
+    if (chance(6))
+      key.fragments.coverage = key.points ? Coverage::kSmoothPoint : Coverage::kPolygonStipple;
     key.lit = !chance(6);
     if (!key.lit) {
       key.secondary_from_vertex = chance(2);
