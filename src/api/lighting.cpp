@@ -80,8 +80,9 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialf(GLenum face, GLenum pname, GL
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMaterialfv(GLenum face, GLenum pname,
                                                     const GLfloat* params) {
   Context* const context = direct_context;
-  if (!context || !set_material_color(*context, face, pname, params))
-    material_in_general(face, pname, params);
+  if (context && set_material_color(*context, face, pname, params)) [[likely]]
+    return;
+  material_in_general(face, pname, params);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglMateriali(GLenum face, GLenum pname, GLint param) {
   lglMaterialf(face, pname, static_cast<GLfloat>(param));
