@@ -323,6 +323,7 @@ void Backend::draw_batch(Context& context) {
   if (recorder.is_lit()) light_vertices(context);
   else if (recorder.layout().fields & kFieldTransformed) transform_vertices(context);
   else enlarge_normals(context, 0);
+  if (recorder.runs().empty()) return;  // nothing of it is seen
   if ((is_unfilled(context.raster.polygon) || replaces_lines(context)) && draw_unfilled(context))
     return;
   DrawBounds bounds;

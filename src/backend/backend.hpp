@@ -16,9 +16,11 @@
 #include "backend/raster.hpp"
 #include "backend/repeated_arrays.hpp"
 #include "backend/repeated_batches.hpp"
+#include "backend/repeated_objects.hpp"
 #include "backend/stream_buffer.hpp"
 #include "backend/textures.hpp"
 #include "backend/vertex_arrays.hpp"
+#include "immediate/seen_object.hpp"
 #include "immediate/unfilled.hpp"
 #include "immediate/wide_lines.hpp"
 
@@ -155,6 +157,11 @@ class Backend {
   bool joins_lit_objects(Context& context, const ListMesh& mesh);
   void light_vertices(Context& context);
   void join_lit_mesh(Context& context, const ListMesh& mesh);
+  bool join_repeated_object(Context& context);
+  struct PlacedObject;
+  void append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed);
+  const std::vector<std::uint16_t>& seen_triangles(Context& context, const ObjectSurface& surface,
+                                                   const Float4* clip, bool inside);
   bool can_transform(Context& context);
   bool begin_transformed(Context& context);
   void transform_vertices(Context& context);
@@ -176,8 +183,10 @@ class Backend {
   VertexArrays arrays_;
   MeshBuffers meshes_;
   SeenTriangles seen_triangles_;
+  SeenObject seen_object_;
   RepeatedBatches repeated_batches_;
   RepeatedArrays repeated_arrays_;
+  RepeatedObjects repeated_objects_;
   std::optional<FramebufferFacts> framebuffer_facts_;
   BufferArrays buffer_arrays_;
   RasterApplier raster_;

@@ -45,6 +45,16 @@ bool shows_nearest_alone(const Context& context) {
   return !context.transform.clip.enabled && !context.backend->queries().active();
 }
 
+Surface::Winding inner_winding(Surface::Winding outer, const glm::mat4& modelview_projection) {
+  using Winding = Surface::Winding;
+  const double determinant = relative_determinant(modelview_projection);
+  if (outer == Winding::kOpen || !(std::abs(determinant) > kSingular)) return Winding::kOpen;
+  // The usual projection mirrors: the eye looks along -z, depth grows along +z. Then an outer side
+  // is seen wound as it is.
+  const bool seen_counterclockwise = (outer == Winding::kCounterclockwise) == (determinant < 0);
+  return seen_counterclockwise ? Winding::kClockwise : Winding::kCounterclockwise;
+}
+
 Surface::Winding hidden_winding(Surface::Winding outer, const ObjectBox& box,
                                 const glm::mat4& modelview_projection,
                                 const ViewportState& viewport, int depth_bits) {
@@ -63,12 +73,7 @@ Surface::Winding hidden_winding(Surface::Winding outer, const ObjectBox& box,
   const double depth_range = (viewport.depth_far - viewport.depth_near) / 2;
   if (!((farthest - nearest) * depth_range * std::ldexp(1, depth_bits) >= kDepthSteps))
     return Winding::kOpen;
-  const double determinant = relative_determinant(modelview_projection);
-  if (!(std::abs(determinant) > kSingular)) return Winding::kOpen;
-  // The usual projection mirrors: the eye looks along -z, depth grows along +z. Then an outer side
-  // is seen wound as it is.
-  const bool seen_counterclockwise = (outer == Winding::kCounterclockwise) == (determinant < 0);
-  return seen_counterclockwise ? Winding::kClockwise : Winding::kCounterclockwise;
+  return inner_winding(outer, modelview_projection);
 }
 
 }  // namespace legacy_gl

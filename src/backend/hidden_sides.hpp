@@ -16,6 +16,10 @@ struct ObjectBox {
 /// nothing else is asked of the others: depth test and no blending, no stencil, no holes, no query.
 bool shows_nearest_alone(const Context& context);
 
+/// The winding in window coordinates of the inner sides of a closed surface; kOpen when the matrix
+/// is nearly singular.
+Surface::Winding inner_winding(Surface::Winding outer, const glm::mat4& modelview_projection);
+
 /// The winding in window coordinates of those sides of a closed surface that lie behind others;
 /// kOpen when some of them may be seen: the surface is cut by the near plane, it is flat in depth,
 /// or the matrix is nearly singular.

@@ -3,9 +3,11 @@
 // than that.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "backend/backend.hpp"
+#include "backend/hidden_sides.hpp"
 #include "backend/vertex_lighting.hpp"
 #include "immediate/float4.hpp"
 #include "immediate/tiny_normals.hpp"
@@ -15,7 +17,7 @@ namespace legacy_gl {
 namespace {
 
 constexpr VertexLayout kLitFrom{kFieldNormal, 0, 0, 0};
-constexpr unsigned kStride = 8;  // of a lit vertex: position and colour
+constexpr unsigned kStride = Recorder::kLitStride;
 
 /// Vertices of one face on their way to be lit.
 class Chunk {
@@ -94,8 +96,8 @@ void divide_by_w(const float* position, float* to) {
 
 /// Twice the area that the triangle of these clip coordinates has on the screen, but for a positive
 /// factor.
-double area(const float* a, const float* b, const float* c) {
-  const auto minor = [](const float* p, const float* q, unsigned i, unsigned j) {
+double area(const Float4& a, const Float4& b, const Float4& c) {
+  const auto minor = [](const Float4& p, const Float4& q, unsigned i, unsigned j) {
     return double{p[i]} * double{q[j]} - double{p[j]} * double{q[i]};
   };
   return double{a[0]} * minor(b, c, 1, 3) - double{a[1]} * minor(b, c, 0, 3) +
@@ -103,6 +105,20 @@ double area(const float* a, const float* b, const float* c) {
 }
 
 }  // namespace
+
+struct Backend::PlacedObject {
+  std::array<Float4, Recorder::kSmallObject> clip;  ///< coordinates of the surface's places
+  ClipFlags flags;
+
+  PlacedObject(const Context& context, const ObjectSurface& surface) {
+    const Columns matrix = to_clip(context);
+    for (std::size_t i = 0; i < surface.places.size(); ++i) {
+      const glm::vec3& p = surface.places[i];
+      clip[i] = product(matrix, p.x, p.y, p.z, 1);
+      flags.add(clip[i]);
+    }
+  }
+};
 
 bool Backend::derive_lighting(Context& context, const DrawFacts& facts) {
   if (!transforms_as_shaders_ || !context.lighting.enabled || !programs_.has_stand_ins() ||
@@ -135,7 +151,7 @@ void Backend::light_vertices(Context& context) {
   Recorder& recorder = context.recorder;
   std::uint32_t at = recorder.first_untransformed();
   const std::uint32_t end = recorder.vertex_count();
-  if (at == end) return;
+  if (at == end || join_repeated_object(context)) return;
   enlarge_normals(context, at);
   derive_lighting(context, {});
   const Columns clip_matrix = to_clip(context);
@@ -162,61 +178,98 @@ void Backend::light_vertices(Context& context) {
 bool Backend::joins_lit_objects(Context& context, const ListMesh& mesh) {
   DrawFacts facts;
   facts.unit_normals = mesh.unit_normals;
-  return !mesh.triangles.empty() && derive_lighting(context, facts);
+  return !mesh.triangles.empty() && !(mesh.layout.fields & kFieldPositionW) &&
+         derive_lighting(context, facts);
 }
 
-/// After joins_lit_objects. A vertex that triangles of both faces share is there twice.
+/// What of the object may be seen; `clip` holds its places, which are in the view if it is
+/// `inside`.
+const std::vector<std::uint16_t>& Backend::seen_triangles(Context& context,
+                                                          const ObjectSurface& surface,
+                                                          const Float4* clip, bool inside) {
+  if (!inside || !skips_unseen(context)) return seen_object_.all(surface);
+  const FramebufferFacts& framebuffer = framebuffer_facts(context);
+  if (framebuffer.multisampled) return seen_object_.all(surface);
+  const ViewportState& viewport = context.raster.viewport;
+  SeenObject::View view{ScreenScale(viewport)};
+  if (surface.winding != Surface::Winding::kOpen && shows_nearest_alone(context))
+    view.hidden = inner_winding(surface.winding, context.transform.projection.top().single *
+                                                     context.transform.modelview.top().single);
+  view.depth_steps =
+      std::ldexp((viewport.depth_far - viewport.depth_near) / 2, framebuffer.depth_bits);
+  return seen_object_.find(surface, clip, view);
+}
+
+/// After joins_lit_objects.
 void Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   if (recorder.has_pending() && !light_object(context)) flush_pending(context);
   joins_lit_objects(context, mesh);
-  const std::uint32_t count = mesh.vertex_count();
-  const VertexOffsets from = offsets_of(mesh.layout);
-  const float* const vertices = mesh.vertices.data();
-  const Columns clip_matrix = to_clip(context);
-  ClipFlags flags;
-  std::array<float, 4 * Recorder::kSmallObject> clip;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const float* const p = vertices + std::size_t{i} * from.stride;
-    const Float4 position = product(clip_matrix, p[0], p[1], p[2], 1);
-    flags.add(position);
-    store(&clip[4 * i], position);
-  }
-  if (flags.outside()) {
+  append_lit_object(context, mesh, PlacedObject(context, mesh.object_surface()));
+  recorder.flush_if_large(context);
+}
+
+/// The recorded object is taken from a mesh that it equals.
+bool Backend::join_repeated_object(Context& context) {
+  Recorder& recorder = context.recorder;
+  if (!skips_unseen(context) || recorder.inside_begin_end() ||
+      recorder.first_untransformed() != recorder.last_object().first_vertex)
+    return false;
+  const std::shared_ptr<const ListMesh> mesh = repeated_objects_.find(recorder);
+  if (!mesh || !joins_lit_objects(context, *mesh)) return false;
+  const PlacedObject placed(context, mesh->object_surface());
+  // Where quads are clipped or flat they are split the other way.
+  if (placed.flags.crosses() || lighting_.key.flat) return false;
+  recorder.take_back_object();
+  append_lit_object(context, *mesh, placed);
+  return true;
+}
+
+/// Of the state that lighting_ has. A vertex that triangles of both faces share is there twice.
+void Backend::append_lit_object(Context& context, const ListMesh& mesh,
+                                const PlacedObject& placed) {
+  Recorder& recorder = context.recorder;
+  const ObjectSurface& surface = mesh.object_surface();
+  if (placed.flags.outside()) {
     ++context.statistics.primitives_clipped;
     return;
   }
+  const auto& clip = placed.clip;
+  const std::vector<std::uint16_t>& seen =
+      seen_triangles(context, surface, clip.data(), !placed.flags.crosses());
+  context.statistics.triangles_unseen += surface.triangles.size() - seen.size();
+  if (seen.empty()) return;
   if (!recorder.has_pending()) recorder.become_lit(context);
   const std::uint32_t base = recorder.vertex_count();
   Places places;
-  const std::vector<std::uint32_t>& corners = mesh.triangles;
   std::uint32_t* elements =
-      recorder.append_elements(context, GL_TRIANGLES, static_cast<std::uint32_t>(corners.size()));
+      recorder.append_elements(context, GL_TRIANGLES, static_cast<std::uint32_t>(3 * seen.size()));
   const bool clockwise = context.raster.polygon.front_face == GL_CW;
-  for (std::size_t at = 0; at < corners.size(); at += 3) {
-    const std::uint32_t* const corner = &corners[at];
+  for (const std::uint16_t t : seen) {
     unsigned face = kFront;
     if (lighting_.key.two_side) {
-      const double twice = area(&clip[4 * corner[0]], &clip[4 * corner[1]], &clip[4 * corner[2]]);
+      const auto& [a, b, c] = surface.triangles[t];
+      const double twice = area(clip[a], clip[b], clip[c]);
       face = (clockwise ? -twice : twice) < 0 ? kBack : kFront;
     }
-    for (unsigned i = 0; i < 3; ++i) *elements++ = base + places.find(corner[i], face);
+    for (const std::uint32_t vertex : surface.corners[t])
+      *elements++ = base + places.find(vertex, face);
   }
   float* vertex = recorder.append_lit(places.count());
+  const VertexOffsets from = offsets_of(mesh.layout);
+  const bool has_normal = mesh.layout.fields & kFieldNormal;
   const glm::vec3 current_normal = current_normal_to_draw(context);
   std::array<Chunk, 2> chunks;
   for (std::uint32_t i = 0; i < places.count(); ++i, vertex += kStride) {
     const std::uint32_t index = places.vertex(i);
-    const float* const p = vertices + std::size_t{index} * from.stride;
-    const bool has_normal = mesh.layout.fields & kFieldNormal;
-    store(vertex, load(&clip[4 * index]));
+    const float* const p = mesh.vertices.data() + std::size_t{index} * from.stride;
+    store(vertex, clip[surface.place_of_vertex[index]]);
     chunks[places.face(i)].add(p, has_normal ? p + from.normal : &current_normal[0], vertex + 4);
   }
   for (const unsigned face : {kFront, kBack}) chunks[face].light(lighting_, face);
   recorder.set_all_transformed();
-  recorder.end_object(flags.crosses());
+  recorder.end_object(placed.flags.crosses());
   ++context.statistics.objects_lit;
-  recorder.flush_if_large(context);
 }
 
 }  // namespace legacy_gl

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
+#include "immediate/object_surface.hpp"
 #include "immediate/primitives.hpp"
 #include "immediate/tiny_normals.hpp"
 
@@ -15,6 +17,17 @@ namespace {
 constexpr double kRoundingOfUnits = 2e-7;
 
 }  // namespace
+
+struct ListMesh::FoundObjectSurface {
+  std::once_flag once;
+  ObjectSurface surface;
+};
+
+const ObjectSurface& ListMesh::object_surface() const {
+  FoundObjectSurface& found = *object_surface_;
+  std::call_once(found.once, [&] { found.surface = find_object_surface(*this); });
+  return found.surface;
+}
 
 void ListMesh::draw_runs() {
   for (const PrimitiveRun& run : runs) {
@@ -66,6 +79,7 @@ void ListMesh::finish() {
   if (vertex_count() > Recorder::kSmallObject) return;
   for (const PrimitiveRun& run : runs)
     if (!append_triangles(run, elements, triangles)) return triangles.clear();
+  object_surface_ = std::make_shared<FoundObjectSurface>();
 }
 
 }  // namespace legacy_gl

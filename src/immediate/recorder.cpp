@@ -159,6 +159,17 @@ float* Recorder::append_lit(std::uint32_t count) {
   return vertices;
 }
 
+Recorder::Object Recorder::last_object() const {
+  return {object_first_, vertex_count() - object_first_,
+          storage_.get() + std::size_t{object_first_} * offsets_.stride, runs_.data() + object_run_,
+          runs_.size() - object_run_};
+}
+
+void Recorder::take_back_object() {
+  cursor_ = storage_.get() + std::size_t{object_first_} * offsets_.stride;
+  runs_.resize(object_run_);
+}
+
 void Recorder::put_template(const Context& context, float* vertex) {
   VertexLayout others = layout_;
   others.materials = 0;

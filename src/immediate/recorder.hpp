@@ -74,21 +74,27 @@ class Recorder {
   /// A batch of kFieldLit.
   bool is_lit() const { return !is_idle() && layout_.fields & kFieldLit; }
   /// One whose vertices neither matrices nor lights nor materials change any more.
-  bool all_lit() const { return is_lit() && !inside_ && first_untransformed_ == vertex_count(); }
+  bool all_lit() const {
+    return is_lit() && !inside_ &&
+           recorded_floats() == std::size_t{first_untransformed_} * kLitStride;
+  }
+  static constexpr unsigned kLitStride = 8;  ///< position and colour
   /// The batch, an empty one or one of positions and normals, becomes one of kFieldLit.
   void become_lit(legacy_gl_context& context);
   /// Room for vertices that are lit already; follow with append_elements.
   float* append_lit(std::uint32_t count);
+  /// What is not transformed yet.
+  struct Object {
+    std::uint32_t first_vertex, vertex_count;
+    const float* vertices;
+    const PrimitiveRun* runs;
+    std::size_t run_count;
+  };
+  Object last_object() const;
+  /// The last object is forgotten.
+  void take_back_object();
   void add_fields(const legacy_gl_context& context, std::uint16_t fields);
   float* data() { return storage_.get(); }
-  /// The properties may change without an end of the batch, which carries them.
-  bool takes_materials(MaterialMask mask) const {
-    return has_pending() && !inside_ && (layout_.materials & mask) == mask;
-  }
-  void material_changed() {
-    materials_cached_ = false;
-    end_object();
-  }
   /// From here on vertices carry the unit's r and q; those recorded before get 0 and 1.
   void carry_wide_texcoords(legacy_gl_context& context, unsigned unit);
 

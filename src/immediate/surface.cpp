@@ -211,6 +211,7 @@ class SurfaceFinder {
       box.high = glm::max(box.high, glm::dvec3(places[corner.place]));
     }
     bool all_out = true, all_in = true;
+    double thickness = 1;
     for (std::size_t t = 0; t < corners.size(); t += 3) {
       const glm::dvec3 a(places[corners[t].place]), b(places[corners[t + 1].place]),
           c(places[corners[t + 2].place]);
@@ -222,12 +223,14 @@ class SurfaceFinder {
       const Box& box = boxes[parts.find(corners[t].place)];
       const glm::dvec3 extent = box.high - box.low;
       const double distance = glm::dot(normal, a - (box.low + box.high) * 0.5) / length;
-      const double thinnest = kThinnest * std::max({extent.x, extent.y, extent.z});
-      all_out = all_out && distance > thinnest;
-      all_in = all_in && distance < -thinnest;
+      const double size = std::max({extent.x, extent.y, extent.z});
+      all_out = all_out && distance > kThinnest * size;
+      all_in = all_in && distance < -kThinnest * size;
+      thickness = std::min(thickness, std::abs(distance) / size);
       if (!all_out && !all_in) return Surface::Winding::kOpen;
     }
     if (all_out == all_in) return Surface::Winding::kOpen;  // nothing has an area
+    surface_.thickness = static_cast<float>(thickness);
     return all_out ? Surface::Winding::kCounterclockwise : Surface::Winding::kClockwise;
   }
 

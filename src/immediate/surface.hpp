@@ -21,6 +21,9 @@ struct Surface {
   Winding winding = Winding::kOpen;
   /// Vertices at one place are alike in everything that the mesh says of them: no edge shows.
   bool smooth = false;
+  /// Where it is closed: how far the planes of its triangles are from the middle of their part at
+  /// least, in parts of the part's size.
+  float thickness = 0;
   std::vector<glm::vec3> places;
   std::vector<Corner> corners;  ///< three for each triangle, the provoking one last
 };

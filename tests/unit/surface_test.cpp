@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "immediate/object_surface.hpp"
 #include "immediate/seen_triangles.hpp"
 
 namespace legacy_gl {
@@ -136,6 +137,36 @@ TEST(Surfaces, NormalsThatDifferAtOnePlaceAreNotSmooth) {
   const Surface surface = find_surface(builder.finish());
   EXPECT_EQ(surface.winding, Winding::kClockwise);
   EXPECT_FALSE(surface.smooth);
+}
+
+TEST(ObjectSurfaces, ABoxHasEightPlacesAndTheEdgesOfItsTriangles) {
+  MeshBuilder builder;
+  builder.box({1, 2, 3});
+  const ObjectSurface surface = find_object_surface(builder.finish());
+  EXPECT_EQ(surface.winding, Winding::kCounterclockwise);
+  EXPECT_EQ(surface.places.size(), 8u);
+  EXPECT_EQ(surface.place_of_vertex.size(), 24u);
+  EXPECT_EQ(surface.triangles.size(), 12u);
+  EXPECT_EQ(surface.edges.size(), 18u);
+  EXPECT_FLOAT_EQ(surface.thickness, 1.0F / 6);  // half of the smallest edge in the largest
+}
+
+TEST(ObjectSurfaces, TrianglesBetweenPlacesThatCountAsOneHaveNoEdges) {
+  MeshBuilder builder;
+  builder.ball({0, 0, 0}, 1, 8, 6);
+  const ObjectSurface surface = find_object_surface(builder.finish());
+  EXPECT_EQ(surface.winding, Winding::kClockwise);
+  EXPECT_EQ(surface.triangles.size(), 96u);
+  EXPECT_EQ(surface.edges.size(), (96u - 16u) * 3 / 2);  // 16 have no area at the poles
+}
+
+TEST(ObjectSurfaces, OfAnOpenMeshTheTrianglesAreKnown) {
+  MeshBuilder builder;
+  builder.box({1, 2, 3}, 5);
+  const ObjectSurface surface = find_object_surface(builder.finish());
+  EXPECT_EQ(surface.winding, Winding::kOpen);
+  EXPECT_EQ(surface.triangles.size(), 10u);
+  EXPECT_TRUE(surface.edges.empty());
 }
 
 // A vertex in window coordinates, by double.
