@@ -105,8 +105,8 @@ typedef struct legacy_gl_statistics {
   uint64_t lights_culled; /**< enabled lights that a draw left out since they do not reach it */
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
-  uint64_t triangles_unseen;      /**< triangles of lists that were not drawn: they cover no sample,
-                                     or others of their closed surface hide them */
+  uint64_t triangles_unseen;      /**< triangles that were not drawn: they cover no sample, or
+                                     others of their closed surface hide them */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */
   uint64_t objects_lit; /**< small objects that were lit on the CPU, to share draws with others */
 } legacy_gl_statistics;

@@ -12,14 +12,15 @@ struct Named {
   GLenum value;
 };
 
+constexpr Named kRgb{"rgb", GL_RGB}, kRgba{"rgba", GL_RGBA};
 constexpr Named kBases[] = {{"alpha", GL_ALPHA},
                             {"luminance", GL_LUMINANCE},
                             {"la", GL_LUMINANCE_ALPHA},
                             {"intensity", GL_INTENSITY},
                             {"red", GL_RED},  // these two of ARB_texture_rg
                             {"rg", 0x8227},
-                            {"rgb", GL_RGB},
-                            {"rgba", GL_RGBA}};
+                            kRgb,
+                            kRgba};
 constexpr Named kModes[] = {{"modulate", GL_MODULATE},
                             {"replace", GL_REPLACE},
                             {"decal", GL_DECAL},
@@ -111,7 +112,7 @@ void set_combination(const GlFunctions& gl, const Combination& c) {
 
 void add_combinations(std::vector<Scene>& scenes) {
   for (const Combination& combination : kCombinations)
-    for (const Named& base : {kBases[4], kBases[5]})
+    for (const Named& base : {kRgb, kRgba})
       scenes.push_back({std::string("combine_") + combination.name + "_" + base.name,
                         [=](const GlFunctions& gl) {
                           begin_flat_scene(gl);
