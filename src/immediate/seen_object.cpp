@@ -21,14 +21,16 @@ Float4 round_of(const Float4& coordinate) {
 
 }  // namespace
 
-void SeenObject::project(const ObjectSurface& surface, const Float4* clip, const View& view) {
+bool SeenObject::project(const ObjectSurface& surface, const Float4* clip, const View& view) {
   const std::size_t count = surface.places.size();
   places_.resize(count);
   Float4 lowest = splat(std::numeric_limits<float>::infinity()), highest = -lowest;
+  Int4 safe{-1, -1, -1, -1};
   const Float4 scale{view.screen.half_width, view.screen.half_height, 1, 0};
   const Float4 center{view.screen.center_x, view.screen.center_y, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     const Float4 window = clip[i] * splat(1 / clip[i][3]) * scale + center;
+    safe &= (window < kFar) & (window > -kFar);  // no for what is no number
     lowest = least(lowest, window);
     highest = greatest(highest, window);
     places_[i] = {window[0], window[1]};
@@ -39,6 +41,7 @@ void SeenObject::project(const ObjectSurface& surface, const Float4* clip, const
   const double pixels = std::max({1.0f, size[0], size[1]});
   const double depths = double{size[2]} * view.depth_steps * double{surface.thickness};
   reach_ = kMoved + static_cast<float>(std::min(kRoundedDepths * pixels / depths, 1.0));
+  return safe[0] && safe[1] && safe[2];
 }
 
 /// The samples that are within reach_ of the way from a to b.
@@ -89,7 +92,7 @@ void SeenObject::find_hidden(const ObjectSurface& surface, Surface::Winding hidd
 
 const std::vector<std::uint16_t>& SeenObject::find(const ObjectSurface& surface, const Float4* clip,
                                                    const View& view) {
-  project(surface, clip, view);
+  if (!project(surface, clip, view)) return all(surface);
   const std::size_t count = surface.triangles.size();
   if (reach_ < kMostReach && view.hidden != Surface::Winding::kOpen)
     find_hidden(surface, view.hidden);

@@ -33,7 +33,8 @@ class SeenObject {
     float x, y;
   };
 
-  void project(const ObjectSurface& surface, const Float4* clip, const View& view);
+  /// False where a place has no window coordinates that one can reckon with.
+  bool project(const ObjectSurface& surface, const Float4* clip, const View& view);
   void find_hidden(const ObjectSurface& surface, Surface::Winding hidden);
   void add_samples_near(const Place& a, const Place& b);
   ScreenTriangle<Place> triangle(const ObjectSurface& surface, std::size_t t) const {

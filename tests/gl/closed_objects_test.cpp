@@ -281,6 +281,11 @@ TEST_F(ClosedObjects, CutByTheNearPlaneTheyAreDrawnWhole) {
   EXPECT_LT(unseen(7, 0.09F), kTriangles / 8);
 }
 
+TEST_F(ClosedObjects, FarOutsideOfTheWindowTheyAreDrawnWhole) {
+  change([](const GlFunctions& gl) { gl.Viewport(-9000, -9000, 16000, 16000); });
+  unseen(8, 0.09F);
+}
+
 // A position of four components is none that small objects are made of.
 TEST_F(ClosedObjects, PositionsWithAWAreDrawnAsTheyAre) {
   change([](const GlFunctions& gl) {
