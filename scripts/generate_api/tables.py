@@ -7,8 +7,6 @@ def unbuilt(api, built):
     text = GENERATED + """// Entry points that are not built yet: each says so and raises GL_INVALID_OPERATION.
 #include "api/unbuilt.hpp"
 #include "state/gl_types.hpp"
-
-using legacy_gl::report_unbuilt;
 """
     for command in api.commands.values():
         if command.name in built:
@@ -16,7 +14,7 @@ using legacy_gl::report_unbuilt;
         types = ", ".join(p.type for p in command.parameters) or "void"
         value = "" if command.result == "void" else "\n  return 0;"
         text += (f"\nLEGACY_GL_API {command.result} LEGACY_GL_APIENTRY lgl{command.name}({types}) {{\n"
-                 f"  report_unbuilt(\"gl{command.name}\");{value}\n}}\n")
+                 f"  legacy_gl::report_unbuilt(\"gl{command.name}\");{value}\n}}\n")
     return text
 
 

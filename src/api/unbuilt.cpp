@@ -3,5 +3,3 @@
 // Entry points that are not built yet: each says so and raises GL_INVALID_OPERATION.
 #include "api/unbuilt.hpp"
 #include "state/gl_types.hpp"
-
-using legacy_gl::report_unbuilt;

@@ -15,11 +15,11 @@ void find_edges(ObjectSurface& surface) {
     std::uint16_t triangle;
   };
   std::vector<Side> sides;
-  for (std::uint16_t t = 0; t < surface.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     if (a == b || b == c || c == a) continue;
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}})
-      sides.push_back({std::min(from, to), std::max(from, to), t});
+      sides.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint16_t>(t)});
   }
   const auto order = [](const Side& s) { return s.a << 8 | s.b; };
   std::stable_sort(sides.begin(), sides.end(),
