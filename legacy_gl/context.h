@@ -78,6 +78,9 @@ typedef struct legacy_gl_options {
   int accumulation_buffer;   /**< 1: the context has an accumulation buffer for glAccum */
   int keep_unseen_triangles; /**< 1: triangles that nothing shows are handed to the driver too, as
                                 for its own statistics; 0: llvmpipe is spared them */
+  int scalars_for_vectors;   /**< 1: glMaterialf and its like, called with a name of several values,
+                                set the first and the others to 0, as Mesa does and the drop-in
+                                lets its programs; 0: GL_INVALID_ENUM, as the specification says */
 } legacy_gl_options;
 
 /** Counters since creation or the last reset. Sizes in bytes. */

@@ -1,6 +1,7 @@
 // GL 2.1 spec 3.10: glFog.
 #include <algorithm>
 
+#include "api/scalar_parameters.hpp"
 #include "dlist/dispatch.hpp"
 
 using namespace legacy_gl;
@@ -56,16 +57,14 @@ void set_fog(Context& c, GLenum pname, Floats4 v) {
   }
 }
 
-/// The scalar calls take only pnames with one value: any other becomes one that is refused.
-GLenum scalar_only(GLenum pname) { return fog_parameter_count(pname) == 1 ? pname : GL_NONE; }
-
 }  // namespace
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogf(GLenum pname, GLfloat param) {
-  dispatch<set_fog>(scalar_only(pname), Floats4{param});
+  dispatch<set_fog>(scalar_only(pname, fog_parameter_count(pname)), Floats4{param});
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogi(GLenum pname, GLint param) {
-  dispatch<set_fog>(scalar_only(pname), Floats4{static_cast<float>(param)});
+  dispatch<set_fog>(scalar_only(pname, fog_parameter_count(pname)),
+                    Floats4{static_cast<float>(param)});
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogfv(GLenum pname, const GLfloat* params) {
   Floats4 values{};

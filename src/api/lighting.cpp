@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "api/scalar_parameters.hpp"
 #include "dlist/dispatch.hpp"
 #include "lighting/set_material_color.hpp"
 
@@ -34,10 +35,6 @@ Floats4 read(const GLint* values, unsigned count, bool is_color) {
   for (unsigned i = 0; i < count; ++i) result[i] = from_integer(values[i], is_color);
   return result;
 }
-
-/// The scalar calls take only pnames with one value: any other becomes one that every setter
-/// refuses.
-GLenum scalar_only(GLenum pname, unsigned count) { return count == 1 ? pname : GL_NONE; }
 
 [[gnu::noinline]] void material_in_general(GLenum face, GLenum pname, const GLfloat* params) {
   dispatch<set_material>(face, pname, read(params, material_parameter_count(pname)));

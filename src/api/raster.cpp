@@ -2,6 +2,7 @@
 // to 3.5, 4.1, 4.2).
 #include <algorithm>
 
+#include "api/scalar_parameters.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
 
@@ -148,10 +149,8 @@ void point_parameter(Context& c, GLenum pname, Floats3 values) {
     default: assign(c, point.attenuation, glm::vec3(values[0], values[1], values[2]), kDirty);
   }
 }
-/// The scalar calls take only pnames with one value: any other becomes one that is refused.
 void point_parameter_scalar(GLenum pname, float value) {
-  dispatch<point_parameter>(point_parameter_count(pname) == 1 ? pname : GLenum{GL_NONE},
-                            Floats3{value});
+  dispatch<point_parameter>(scalar_only(pname, point_parameter_count(pname)), Floats3{value});
 }
 template <typename T>
 void point_parameter_vector(GLenum pname, const T* params) {

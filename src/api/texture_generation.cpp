@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "api/scalar_parameters.hpp"
 #include "api/texture_targets.hpp"
 #include "dlist/dispatch.hpp"
 #include "state/queries.hpp"
@@ -101,13 +102,13 @@ void get_tex_gen(Context& c, GLenum coordinate_name, GLenum name, T* results) {
 }  // namespace
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGeni(GLenum coord, GLenum pname, GLint param) {
-  dispatch<tex_gen>(coord, pname, one(param), false);
+  dispatch<tex_gen>(coord, pname, one(param), takes_scalars_for_vectors());
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGenf(GLenum coord, GLenum pname, GLfloat param) {
-  dispatch<tex_gen>(coord, pname, one(param), false);
+  dispatch<tex_gen>(coord, pname, one(param), takes_scalars_for_vectors());
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGend(GLenum coord, GLenum pname, GLdouble param) {
-  dispatch<tex_gen>(coord, pname, one(param), false);
+  dispatch<tex_gen>(coord, pname, one(param), takes_scalars_for_vectors());
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
   dispatch<tex_gen>(coord, pname, read(pname, params), true);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/scalar_parameters.hpp"
 #include "api/texture_targets.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
@@ -119,10 +120,12 @@ Values read(GLenum name, const T* values) {
 }  // namespace
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterf(GLenum target, GLenum pname, GLfloat param) {
-  dispatch<tex_parameter>(target, pname, Values{{static_cast<double>(param)}}, false);
+  dispatch<tex_parameter>(target, pname, Values{{static_cast<double>(param)}},
+                          takes_scalars_for_vectors());
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameteri(GLenum target, GLenum pname, GLint param) {
-  dispatch<tex_parameter>(target, pname, Values{{static_cast<double>(param)}}, false);
+  dispatch<tex_parameter>(target, pname, Values{{static_cast<double>(param)}},
+                          takes_scalars_for_vectors());
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglTexParameterfv(GLenum target, GLenum pname,
                                                         const GLfloat* params) {

@@ -64,6 +64,7 @@ void make_ours(DropInContext& context, legacy_gl_loader loader) {
   legacy_gl_options options{};
   options.share = shares_with(context);
   options.accumulation_buffer = context.accumulation_buffer;
+  options.scalars_for_vectors = 1;
   options.cache_directory = std::getenv("LEGACY_GL_CACHE_DIR");
   legacy_gl_status status = LEGACY_GL_OK;
   context.ours = legacy_gl_create_context(loader, &options, &status);

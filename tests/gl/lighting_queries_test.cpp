@@ -240,6 +240,48 @@ TEST_P(LightingQueries, Errors) {
   }
 }
 
+// legacy_gl_options.scalars_for_vectors: the first value is set, the others are 0. Mesa leaves
+// those of materials as they come, and takes a border colour in lists alone.
+TEST(ScalarsForVectors, AreTakenAsMesaTakesThem) {
+  const auto values_of = [](RenderContext& context) {
+    context.make_current();
+    const GlFunctions& gl = context.gl;
+    gl.Materialf(GL_FRONT, GL_AMBIENT, 0.5F);
+    gl.Materiali(GL_BACK, GL_DIFFUSE, 1);
+    gl.Lightf(GL_LIGHT1, GL_SPECULAR, 0.25F);
+    gl.Lighti(GL_LIGHT2, GL_POSITION, 3);
+    gl.LightModelf(GL_LIGHT_MODEL_AMBIENT, 0.75F);
+    gl.Fogf(GL_FOG_COLOR, 0.5F);
+    gl.TexGend(GL_S, GL_OBJECT_PLANE, 2);
+    EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+    gl.NewList(1, GL_COMPILE);
+    gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 0.5F);
+    gl.EndList();
+    gl.CallList(1);
+    EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+    std::array<std::array<GLfloat, 4>, 8> values{};
+    gl.GetMaterialfv(GL_FRONT, GL_AMBIENT, values[0].data());
+    gl.GetMaterialfv(GL_BACK, GL_DIFFUSE, values[1].data());
+    gl.GetLightfv(GL_LIGHT1, GL_SPECULAR, values[2].data());
+    gl.GetLightfv(GL_LIGHT2, GL_POSITION, values[3].data());
+    gl.GetFloatv(GL_LIGHT_MODEL_AMBIENT, values[4].data());
+    gl.GetFloatv(GL_FOG_COLOR, values[5].data());
+    gl.GetTexGenfv(GL_S, GL_OBJECT_PLANE, values[6].data());
+    gl.GetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, values[7].data());
+    return values;
+  };
+  legacy_gl_options options{};
+  options.scalars_for_vectors = 1;
+  MesaContext mesa(16, 16);
+  CoreContext ours(16, 16, PixelFormat::rgba8, options);
+  const auto values = values_of(ours), of_mesa = values_of(mesa);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(values[i], (std::array<GLfloat, 4>{of_mesa[i][0], 0, 0, 0}));
+    EXPECT_GT(values[i][0], 0);
+  }
+}
+
 }  // namespace
 
 }  // namespace legacy_gl::test

@@ -287,6 +287,14 @@ TEST(Faults, CallsInsideBeginEndRaiseAnError) {
   EXPECT_EQ(pixel(10, 10), lit(0.5f, 0.5f, 0.5f));
 }
 
+// As Mesa, which programs were written on, takes it.
+TEST(Glx, ScalarsForVectorsRaiseNoError) {
+  const Window window;
+  const OldContext context(window);
+  glMaterialf(GL_FRONT, GL_AMBIENT, 0.5f);
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
 TEST(Faults, TenThousandLists) {
   const Window window;
   const OldContext context(window);
