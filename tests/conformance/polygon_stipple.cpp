@@ -248,7 +248,7 @@ std::vector<Scene> polygon_stipple_scenes() {
          for (std::size_t i = 0; i < memory.size(); ++i)
            memory[i] = static_cast<GLubyte>(i * 37 + i / 8 * 11);
          gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 75);
-         gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+         gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 8);  // not 5: M24
          gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 3);
          gl.PixelStorei(GL_UNPACK_LSB_FIRST, 1);
          gl.PixelStorei(GL_UNPACK_ALIGNMENT, 8);

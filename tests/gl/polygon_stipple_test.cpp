@@ -60,13 +60,30 @@ TEST_F(PolygonStipple, SetAndGet) {
 TEST_F(PolygonStipple, PassesThePixelStoreOnItsWayIn) {
   compare([](const GlFunctions& gl, Bytes& bytes) {
     gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 75);
-    gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+    gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 16);  // whole bytes: M24
     gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 3);
     gl.PixelStorei(GL_UNPACK_LSB_FIRST, 1);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
     gl.PolygonStipple(counted(37).data());
     gl.GetPolygonStipple(bytes.data());
   });
+}
+
+// Mesa writes past the end of its pattern then (M24): the bits themselves are the judge.
+TEST_F(PolygonStipple, BeginsBetweenBytes) {
+  const GlFunctions& gl = ours_.gl;
+  const Bytes mask = counted(37);
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 64);
+  gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+  gl.PolygonStipple(mask.data());
+  std::array<GLubyte, 128> got{};
+  gl.GetPolygonStipple(got.data());
+  const auto bit = [](const GLubyte* bytes, std::size_t i) {
+    return bytes[i / 8] >> (7 - i % 8) & 1;
+  };
+  for (std::size_t y = 0; y < 32; ++y)
+    for (std::size_t x = 0; x < 32; ++x)
+      EXPECT_EQ(bit(got.data(), 32 * y + x), bit(mask.data(), 64 * y + x + 5)) << x << ", " << y;
 }
 
 TEST_F(PolygonStipple, PassesThePixelStoreOnItsWayOut) {
