@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "backend/derive_parts.hpp"
 #include "immediate/clip_test.hpp"
 #include "immediate/primitives.hpp"
 #include "immediate/tiny_normals.hpp"
@@ -200,14 +201,12 @@ bool Backend::use_program(Context& context, GLenum mode, std::uint64_t vertices)
   return use_program(context, key, vertices);
 }
 
-void Backend::draw_points(const Context& context, ProgramKey& key) const {
+void Backend::draw_points(const Context& context, ProgramKey& key) {
   key.points = true;
   const PointState& point = context.raster.point;
   if (!point.is_attenuated_or_fades()) return;
-  GLint sample_buffers = 0;
-  if (context.raster.multisample.enabled && point.fade_threshold > 0)
-    driver.GetIntegerv(GL_SAMPLE_BUFFERS, &sample_buffers);
-  key.point_fade = sample_buffers > 0;
+  key.point_fade = context.raster.multisample.enabled && point.fade_threshold > 0 &&
+                   framebuffer_facts(context).has_sample_buffers;
   key.point_distance = true;
 }
 
@@ -249,12 +248,7 @@ bool Backend::splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& r
   if (run.mode != GL_QUADS || run.indexed) return false;
   if (derived_.key.flat) return true;
   const unsigned stride = recorder.offsets().stride;
-  std::array<glm::vec4, kMaxClipPlanes> planes;
-  std::size_t plane_count = 0;
-  for (unsigned i = 0; i < kMaxClipPlanes; ++i)
-    if (derived_.key.fragments.clip_planes & 1u << i)
-      planes[plane_count++] = derived_.clip_planes.planes[i];
-  return any_outside(derived_.transform.modelview_projection, {planes.data(), plane_count},
+  return any_outside(derived_.transform.modelview_projection, EnabledClipPlanes(derived_),
                      recorder.data() + std::size_t{run.first} * stride, run.count, stride,
                      recorder.offsets().position_size == 4);
 }

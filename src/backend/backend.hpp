@@ -111,6 +111,7 @@ class Backend {
   struct FramebufferFacts {
     GLint depth_bits = 0;
     bool multisampled = false;
+    bool has_sample_buffers = false;
   };
   const FramebufferFacts& framebuffer_facts(const Context& context);
   std::optional<SurfaceView> surface_view(Context& context, const ListMesh& mesh,
@@ -130,7 +131,7 @@ class Backend {
   /// False when the driver has refused it. The general block is uploaded where it is read.
   bool use_program(Context& context, GLenum mode, std::uint64_t vertices);
   /// The key of a draw, for its points.
-  void draw_points(const Context& context, ProgramKey& key) const;
+  void draw_points(const Context& context, ProgramKey& key);
   bool splits_in_pipeline(const Recorder& recorder, const PrimitiveRun& run) const;
   bool use_program(Context& context, const ProgramKey& key, std::uint64_t vertices);
   /// Draws the batch when it has polygons that become lines or points, or lines that become others;

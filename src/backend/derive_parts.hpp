@@ -6,10 +6,26 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 
 #include "backend/derive.hpp"
 
 namespace legacy_gl {
+
+/// The clip planes that cut what is drawn, in clip coordinates.
+class EnabledClipPlanes {
+ public:
+  explicit EnabledClipPlanes(const Derived& derived) {
+    for (unsigned i = 0; i < kMaxClipPlanes; ++i)
+      if (derived.key.fragments.clip_planes & 1u << i)
+        planes_[count_++] = derived.clip_planes.planes[i];
+  }
+  operator std::span<const glm::vec4>() const { return {planes_.data(), count_}; }
+
+ private:
+  std::array<glm::vec4, kMaxClipPlanes> planes_;
+  std::size_t count_ = 0;
+};
 
 /// NaN becomes 0 and infinity the largest float: one bad parameter stays one bad parameter.
 inline float finite(double value) {

@@ -110,8 +110,8 @@ struct Backend::PlacedObject {
   std::array<Float4, Recorder::kSmallObject> clip;  ///< coordinates of the surface's places
   ClipFlags flags;
 
-  PlacedObject(const Context& context, const ObjectSurface& surface) {
-    const Columns matrix = to_clip(context);
+  PlacedObject(const glm::mat4& to_clip, const ObjectSurface& surface) {
+    const Columns matrix = columns(to_clip);
     for (std::size_t i = 0; i < surface.places.size(); ++i) {
       const glm::vec3& p = surface.places[i];
       clip[i] = product(matrix, p.x, p.y, p.z, 1);
@@ -193,8 +193,7 @@ const std::vector<std::uint16_t>& Backend::seen_triangles(Context& context,
   const ViewportState& viewport = context.raster.viewport;
   SeenObject::View view{ScreenScale(viewport)};
   if (surface.winding != Surface::Winding::kOpen && shows_nearest_alone(context))
-    view.hidden = inner_winding(surface.winding, context.transform.projection.top().single *
-                                                     context.transform.modelview.top().single);
+    view.hidden = inner_winding(surface.winding, lighting_.transform.modelview_projection);
   view.depth_steps =
       std::ldexp((viewport.depth_far - viewport.depth_near) / 2, framebuffer.depth_bits);
   return seen_object_.find(surface, clip, view);
@@ -205,7 +204,8 @@ void Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   if (recorder.has_pending() && !light_object(context)) flush_pending(context);
   joins_lit_objects(context, mesh);
-  append_lit_object(context, mesh, PlacedObject(context, mesh.object_surface()));
+  append_lit_object(context, mesh,
+                    {lighting_.transform.modelview_projection, mesh.object_surface()});
   recorder.flush_if_large(context);
 }
 
@@ -217,7 +217,7 @@ bool Backend::join_repeated_object(Context& context) {
     return false;
   const std::shared_ptr<const ListMesh> mesh = repeated_objects_.find(recorder);
   if (!mesh || !joins_lit_objects(context, *mesh)) return false;
-  const PlacedObject placed(context, mesh->object_surface());
+  const PlacedObject placed(lighting_.transform.modelview_projection, mesh->object_surface());
   // Where quads are clipped or flat they are split the other way.
   if (placed.flags.crosses() || lighting_.key.flat) return false;
   recorder.take_back_object();

@@ -14,9 +14,11 @@ constexpr unsigned kLooksAtDraw = 3;
 
 const Backend::FramebufferFacts& Backend::framebuffer_facts(const Context& context) {
   if (!framebuffer_facts_) {
-    GLint samples = 0;
+    GLint samples = 0, sample_buffers = 0;
     driver.GetIntegerv(GL_SAMPLES, &samples);
-    framebuffer_facts_ = {framebuffer_bits(context, FramebufferChannel::kDepth), samples > 1};
+    driver.GetIntegerv(GL_SAMPLE_BUFFERS, &sample_buffers);
+    framebuffer_facts_ = {framebuffer_bits(context, FramebufferChannel::kDepth), samples > 1,
+                          sample_buffers > 0};
   }
   return *framebuffer_facts_;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "backend/backend.hpp"
+#include "backend/derive_parts.hpp"
 #include "immediate/line_stipple.hpp"
 #include "state/framebuffer.hpp"
 
@@ -53,15 +54,11 @@ void Backend::stipple_lines_of(const Context& context) {
         recorder.data(),
         recorder.data() + std::size_t{recorder.vertex_count()} * recorder.offsets().stride);
   }
-  std::array<glm::vec4, kMaxClipPlanes> planes;
-  std::size_t plane_count = 0;
-  for (unsigned i = 0; i < kMaxClipPlanes; ++i)
-    if (derived_.key.fragments.clip_planes & 1u << i)
-      planes[plane_count++] = derived_.clip_planes.planes[i];
+  const EnabledClipPlanes planes(derived_);
   stipple_lines({.line = context.raster.line,
                  .modelview_projection = derived_.transform.modelview_projection,
                  .viewport = context.raster.viewport,
-                 .clip_planes = {planes.data(), plane_count},
+                 .clip_planes = planes,
                  .flat = derived_.key.flat},
                 expanded);
 }

@@ -38,20 +38,6 @@ Scene star_scene(std::string name, int factor, unsigned pattern, float width, Dr
           }};
 }
 
-void draw_bent(const GlFunctions& gl, GLenum mode, int count) {
-  gl.Begin(mode);
-  for (int i = 0; i < count; ++i) {
-    const float f = static_cast<float>(i);
-    const bool strip = mode == GL_TRIANGLE_STRIP || mode == GL_QUAD_STRIP;
-    const float angle = 0.7854F * f + 0.1F;
-    const float x = strip ? -0.9F + 0.25F * f : 0.9F * std::cos(angle);
-    const float y = strip ? (i % 2 == 0 ? -0.7F : 0.7F) : 0.85F * std::sin(angle);
-    color_by_position(gl, x, y, 0.1F * f);
-    gl.Vertex2f(x, y);
-  }
-  gl.End();
-}
-
 Scene mode_scene(std::string name, GLenum mode, int count, bool flat) {
   return {std::move(name),
           [=](const GlFunctions& gl) {
@@ -59,7 +45,7 @@ Scene mode_scene(std::string name, GLenum mode, int count, bool flat) {
             stipple(gl, 2, 0x3f29);
             gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             gl.ShadeModel(flat ? GL_FLAT : GL_SMOOTH);
-            draw_bent(gl, mode, count);
+            draw_ring(gl, mode, count);
           },
           {.few_colors = flat}};
 }
@@ -70,7 +56,7 @@ void draw_strip_of_list(const GlFunctions& gl, bool in_list) {
   stipple(gl, 2, 0x3f29);
   if (in_list) gl.NewList(1, GL_COMPILE);
   draw_star(gl, 9);
-  draw_bent(gl, GL_LINE_STRIP, 8);
+  draw_ring(gl, GL_LINE_STRIP, 8);
   if (!in_list) return;
   gl.EndList();
   gl.CallList(1);

@@ -34,20 +34,6 @@ Scene solid_scene(std::string name, GLenum face, GLenum mode, Draw set = {}) {
           }};
 }
 
-void draw_ring(const GlFunctions& gl, GLenum primitive) {
-  gl.Begin(primitive);
-  for (int i = 0; i < 8; ++i) {
-    const float f = static_cast<float>(i);
-    const bool strip = primitive == GL_TRIANGLE_STRIP || primitive == GL_QUAD_STRIP;
-    const float angle = 0.7854F * f + 0.1F;
-    const float x = strip ? -0.9F + 0.25F * f : 0.9F * std::cos(angle);
-    const float y = strip ? (i % 2 == 0 ? -0.7F : 0.7F) : 0.85F * std::sin(angle);
-    color_by_position(gl, x, y, 0.1F * f);
-    gl.Vertex2f(x, y);
-  }
-  gl.End();
-}
-
 Scene primitive_scene(std::string name, GLenum primitive, GLenum mode, bool flat) {
   return {std::move(name),
           [=](const GlFunctions& gl) {

@@ -216,6 +216,20 @@ void color_by_position(const GlFunctions& gl, float x, float y, float z) {
   gl.Color4f(0.5F + 0.5F * x, 0.5F + 0.5F * y, 0.5F - 0.5F * z, 0.75F + 0.25F * x);
 }
 
+void draw_ring(const GlFunctions& gl, GLenum mode, int count) {
+  gl.Begin(mode);
+  for (int i = 0; i < count; ++i) {
+    const float f = static_cast<float>(i);
+    const bool strip = mode == GL_TRIANGLE_STRIP || mode == GL_QUAD_STRIP;
+    const float angle = 0.7854F * f + 0.1F;
+    const float x = strip ? -0.9F + 0.25F * f : 0.9F * std::cos(angle);
+    const float y = strip ? (i % 2 == 0 ? -0.7F : 0.7F) : 0.85F * std::sin(angle);
+    color_by_position(gl, x, y, 0.1F * f);
+    gl.Vertex2f(x, y);
+  }
+  gl.End();
+}
+
 Mesh sphere_mesh(int slices, int stacks) {
   const auto to_byte = [](float value) {
     return static_cast<GLubyte>(std::lround(127.5F + 127.5F * value));

@@ -46,6 +46,8 @@ void draw_patch(const GlFunctions& gl, int cells = 12);
 void draw_half_tube(const GlFunctions& gl, float radius = 0.8F);
 // A vertex colour that varies over the figure.
 void color_by_position(const GlFunctions& gl, float x, float y, float z);
+// Vertices around the middle, or those of a strip.
+void draw_ring(const GlFunctions& gl, GLenum mode, int count = 8);
 // draw_sphere with color_by_position at each vertex.
 void draw_colored_sphere(const GlFunctions& gl, float radius = 1.0F);
 
