@@ -111,7 +111,8 @@ typedef struct legacy_gl_statistics {
   uint64_t triangles_unseen;      /**< triangles that were not drawn: they cover no sample, or
                                      others of their closed surface hide them */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */
-  uint64_t objects_lit; /**< small objects that were lit on the CPU, to share draws with others */
+  uint64_t objects_lit;  /**< small objects that were lit on the CPU, to share draws with others */
+  uint64_t objects_kept; /**< of them, those that came to what they had come to before */
 } legacy_gl_statistics;
 
 /** Creates a context over the driver's current context. NULL options: defaults. On failure returns

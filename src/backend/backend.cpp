@@ -33,7 +33,8 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles
       meshes_(driver),
       buffer_arrays_(driver),
       bitmaps_(driver),
-      pixel_texture_(driver) {
+      pixel_texture_(driver),
+      kept_batches_(driver) {
   // Mesa's software driver multiplies and adds as C++ does; others may fuse the two.
   const auto* const renderer = reinterpret_cast<const char*>(driver.GetString(GL_RENDERER));
   transforms_as_shaders_ = renderer && std::strstr(renderer, "llvmpipe");
@@ -70,12 +71,14 @@ void Backend::reset_driver_state() {
   bound_program_ = bound_array_ = 0;  // no name of ours
   raster_.forget();
   framebuffer_facts_.reset();
+  unseen_[kKeptObjectsReader] = kDirtyAll;
   textures_.forget_bindings();
   derived_.stale.fill(true);
 }
 
 void Backend::apply_raster(Context& context) {
   if (!(context.dirty & kDirtyRaster)) return;
+  unseen_[kKeptObjectsReader] |= kDirtyRaster;
   context.dirty &= ~std::uint32_t{kDirtyRaster};
   raster_.apply(driver, context.raster, context.transform.clip.enabled);
 }
@@ -174,9 +177,13 @@ void Backend::stage_stale_blocks(Context& context) {
                     derived_.lights_low.data(), derived_.lights_low.size() * sizeof(LightLow), 0);
 }
 
+std::uint32_t Backend::take_dirty_bits(const Context& context, DirtyReader reader) {
+  for (std::uint32_t& unseen : unseen_) unseen |= context.dirty;
+  return std::exchange(unseen_[reader], 0);
+}
+
 void Backend::derive(Context& context, const VertexLayout& layout, const DrawFacts& facts) {
-  unseen_by_lighting_ |= context.dirty;
-  context.dirty |= std::exchange(unseen_by_derived_, 0);
+  context.dirty |= take_dirty_bits(context, kDerivedReader) & ~std::uint32_t{kDirtyRaster};
   derived_.update(context, layout, driver.dialect, facts);
 }
 
@@ -336,6 +343,7 @@ void Backend::draw_batch(Context& context) {
   bind_vertex_array(array);
   draw_runs(context, base_vertex);
   ++context.statistics.batches;
+  if (recorder.is_lit() && kept_batches_.drawn(recorder)) bound_array_ = 0;  // another was bound
 }
 
 /// The parts that were as they had been, before one that is not.
@@ -355,12 +363,14 @@ void Backend::draw_held(Context& context) {
 }
 
 void Backend::draw_recorded(Context& context, bool last) {
+  draw_followed(context);
   using Answer = RepeatedBatches::Answer;
   const Answer answer =
       skips_unseen(context) ? repeated_batches_.take(context, last) : Answer::kDraw;
   if (answer == Answer::kComplete) draw_mesh(context, *repeated_batches_.mesh());
   if (answer == Answer::kDifferent) draw_held(context);
   if (answer == Answer::kDraw || answer == Answer::kDifferent) draw_batch(context);
+  kept_batches_.forget_noted();
   if (repeated_batches_.goes_on()) context.recorder.forget_part();
   else context.recorder.clear();
 }

@@ -9,6 +9,9 @@
 #include "backend/buffer_objects.hpp"
 #include "backend/derive.hpp"
 #include "backend/driver.hpp"
+#include "backend/framebuffer_facts.hpp"
+#include "backend/kept_batches.hpp"
+#include "backend/kept_objects.hpp"
 #include "backend/mesh_buffers.hpp"
 #include "backend/pixel_texture.hpp"
 #include "backend/program_cache.hpp"
@@ -107,12 +110,6 @@ class Backend {
   /// past texturing, fog and their like, as stencil indices do.
   void draw_pixel_quads(Context& context, PixelSource source, const std::vector<float>& vertices,
                         const RasterState& raster, const RasterTextureCoordinates* coordinates);
-  /// What the framebuffer that is drawn into is made of.
-  struct FramebufferFacts {
-    GLint depth_bits = 0;
-    bool multisampled = false;
-    bool has_sample_buffers = false;
-  };
   const FramebufferFacts& framebuffer_facts(const Context& context);
   std::optional<SurfaceView> surface_view(Context& context, const ListMesh& mesh,
                                           const Surface& surface);
@@ -151,16 +148,33 @@ class Backend {
                        std::size_t room);
   void upload_staged();
   void bind_vertex_array(GLuint array);
+  /// Those that have to see every dirty bit, each in its time.
+  enum DirtyReader : unsigned {
+    kDerivedReader,
+    kLightingReader,
+    kKeptObjectsReader,
+    kDirtyReaders
+  };
+  /// The bits that this reader has not seen yet; what the context has is put by for the others.
+  std::uint32_t take_dirty_bits(const Context& context, DirtyReader reader);
   /// Brings derived_ up to the state.
   void derive(Context& context, const VertexLayout& layout, const DrawFacts& facts = {});
+  /// Objects may be lit here, if lighting_ does not say otherwise.
+  bool may_light(Context& context) const;
   /// Brings lighting_ up to the state; false when vertices are not lit here in it.
   bool derive_lighting(Context& context, const DrawFacts& facts);
   bool joins_lit_objects(Context& context, const ListMesh& mesh);
   void light_vertices(Context& context);
-  void join_lit_mesh(Context& context, const ListMesh& mesh);
+  bool join_lit_mesh(Context& context, const ListMesh& mesh);
   bool join_repeated_object(Context& context);
   struct PlacedObject;
-  void append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed);
+  void append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed,
+                         const std::optional<KeptObjects::Key>& key);
+  std::uint32_t surroundings(Context& context);
+  std::optional<KeptObjects::Key> kept_key(Context& context, const ListMesh& mesh);
+  const KeptObjects::Entry* find_kept(const std::optional<KeptObjects::Key>& key);
+  void append_kept_object(Context& context, const KeptObjects::Entry& kept);
+  void draw_followed(Context& context);
   const std::vector<std::uint16_t>& seen_triangles(Context& context, const ObjectSurface& surface,
                                                    const Float4* clip, bool inside);
   bool can_transform(Context& context);
@@ -198,8 +212,12 @@ class Backend {
   AccumulationBuffer accumulation_;
   Derived derived_;
   Derived lighting_;  ///< of objects that are lit here: derived_ draws them with a program without
-  /// What one of the two has taken of the context's dirty bits and the other has not seen yet.
-  std::uint32_t unseen_by_derived_ = 0, unseen_by_lighting_ = kDirtyAll;
+  SurroundingsNumbers surroundings_;
+  std::uint32_t lit_surroundings_ = 0;  ///< in which usual objects are lit here; 0: not known
+  KeptObjects kept_objects_;
+  KeptBatches kept_batches_;
+  /// Dirty bits that other readers have taken from the context.
+  std::array<std::uint32_t, kDirtyReaders> unseen_{0, kDirtyAll, kDirtyAll};
   std::size_t uniform_alignment_ = 256;
   bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours
   bool thin_lines_ = false;             ///< the driver refuses wide ones

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <span>
 #include <utility>
 
 #include "backend/backend.hpp"
@@ -17,6 +19,7 @@ namespace legacy_gl {
 namespace {
 
 constexpr VertexLayout kLitFrom{kFieldNormal, 0, 0, 0};
+constexpr VertexLayout kLitTo{kFieldTransformed | kFieldLit, 0, 0, 0};
 constexpr unsigned kStride = Recorder::kLitStride;
 
 /// Vertices of one face on their way to be lit.
@@ -104,6 +107,28 @@ double area(const Float4& a, const Float4& b, const Float4& c) {
          double{a[3]} * minor(b, c, 0, 1);
 }
 
+/// Products of these stay far inside float32's range.
+constexpr float kModest = 1e6f;
+
+bool is_modest(const glm::vec4& color) {
+  const glm::vec4 size = glm::abs(color);
+  return size.x < kModest && size.y < kModest && size.z < kModest;
+}
+
+bool are_modest(const Materials& materials) {
+  return std::all_of(materials.begin(), materials.end(), [](const Material& m) {
+    return is_modest(m.ambient) && is_modest(m.diffuse) && is_modest(m.specular) &&
+           is_modest(m.emission);
+  });
+}
+
+bool are_modest(const std::vector<Light>& lights) {
+  return std::all_of(lights.begin(), lights.end(), [](const Light& light) {
+    return is_modest(light.ambient) && is_modest(light.diffuse) && is_modest(light.specular) &&
+           light.constant_attenuation > 1 / kModest;
+  });
+}
+
 }  // namespace
 
 struct Backend::PlacedObject {
@@ -120,19 +145,41 @@ struct Backend::PlacedObject {
   }
 };
 
+bool Backend::may_light(Context& context) const {
+  return transforms_as_shaders_ && context.lighting.enabled && programs_.has_stand_ins() &&
+         !context.fog.enabled && !active_textures(context).mask &&
+         Recorder::relevant_layout(context) == kLitFrom && !looks_at_reach(context) &&
+         !replaces_lines(context) && !context.raster.point.is_attenuated();
+}
+
 bool Backend::derive_lighting(Context& context, const DrawFacts& facts) {
-  if (!transforms_as_shaders_ || !context.lighting.enabled || !programs_.has_stand_ins() ||
-      Recorder::relevant_layout(context) != kLitFrom || looks_at_reach(context) ||
-      replaces_lines(context) || context.raster.point.is_attenuated())
-    return false;
-  unseen_by_derived_ |= context.dirty & ~std::uint32_t{kDirtyRaster};
-  context.dirty |= std::exchange(unseen_by_lighting_, 0) & ~std::uint32_t{kDirtyRaster};
+  if (!may_light(context)) return false;
+  context.dirty |= take_dirty_bits(context, kLightingReader) & ~std::uint32_t{kDirtyRaster};
   lighting_.update(context, kLitFrom, driver.dialect, facts);
   return lights_blocks(lighting_.key);
 }
 
+std::uint32_t Backend::surroundings(Context& context) {
+  apply_raster(context);
+  const std::uint32_t changed = take_dirty_bits(context, kKeptObjectsReader);
+  context.dirty = 0;  // they are put by
+  return surroundings_.number_of(context, framebuffer_facts(context), changed);
+}
+
+/// Matrices and materials that are like most do not change the answer in the same surroundings.
 bool Backend::stays_lit(Context& context) {
-  return derive_lighting(context, {}) && !lighting_.key.two_side;
+  if (!may_light(context)) return false;
+  const LightingState& lighting = context.lighting;
+  const bool usual = context.options.quality == LEGACY_GL_QUALITY_DEFAULT &&
+                     lighting.model.color_control == GL_SINGLE_COLOR &&
+                     is_affine(context.transform.modelview.top().exact) &&
+                     are_modest(lighting.materials);
+  const std::uint32_t number = surroundings(context);
+  if (usual && number == lit_surroundings_) return true;
+  const bool lit = derive_lighting(context, {}) && !lighting_.key.two_side;
+  lit_surroundings_ =
+      usual && lit && are_modest(lighting.lights) && is_modest(lighting.model.ambient) ? number : 0;
+  return lit;
 }
 
 bool Backend::light_recorded(Context& context) {
@@ -152,6 +199,7 @@ void Backend::light_vertices(Context& context) {
   std::uint32_t at = recorder.first_untransformed();
   const std::uint32_t end = recorder.vertex_count();
   if (at == end || join_repeated_object(context)) return;
+  draw_followed(context);
   enlarge_normals(context, at);
   derive_lighting(context, {});
   const Columns clip_matrix = to_clip(context);
@@ -199,14 +247,38 @@ const std::vector<std::uint16_t>& Backend::seen_triangles(Context& context,
   return seen_object_.find(surface, clip, view);
 }
 
-/// After joins_lit_objects.
-void Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
+/// Where the mesh would be kept, if it can be lit here.
+std::optional<KeptObjects::Key> Backend::kept_key(Context& context, const ListMesh& mesh) {
+  if (mesh.triangles.empty() || mesh.layout.fields != kFieldNormal || !may_light(context))
+    return {};
+  apply_raster(context);
+  const std::uint32_t changed = take_dirty_bits(context, kKeptObjectsReader);
+  context.dirty = 0;  // they are put by
+  return KeptObjects::Key{mesh,
+                          surroundings_.number_of(context, framebuffer_facts(context), changed),
+                          context.transform.modelview.top(), context.lighting.materials};
+}
+
+const KeptObjects::Entry* Backend::find_kept(const std::optional<KeptObjects::Key>& key) {
+  return key ? kept_objects_.find(*key, kept_batches_.expected()) : nullptr;
+}
+
+bool Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
-  if (recorder.has_pending() && !light_object(context)) flush_pending(context);
-  joins_lit_objects(context, mesh);
-  append_lit_object(context, mesh,
-                    {lighting_.transform.modelview_projection, mesh.object_surface()});
+  if (!recorder.all_lit()) {
+    if (!joins_lit_objects(context, mesh)) return false;
+    if (recorder.has_pending() && !light_object(context)) flush_pending(context);
+  }
+  const std::optional<KeptObjects::Key> key = kept_key(context, mesh);
+  if (const KeptObjects::Entry* const kept = find_kept(key)) {
+    append_kept_object(context, *kept);
+  } else {
+    if (!joins_lit_objects(context, mesh)) return false;
+    const PlacedObject placed(lighting_.transform.modelview_projection, mesh.object_surface());
+    append_lit_object(context, mesh, placed, key);
+  }
   recorder.flush_if_large(context);
+  return true;
 }
 
 /// The recorded object is taken from a mesh that it equals.
@@ -215,30 +287,45 @@ bool Backend::join_repeated_object(Context& context) {
   if (!skips_unseen(context) || recorder.inside_begin_end() ||
       recorder.first_untransformed() != recorder.last_object().first_vertex)
     return false;
-  const std::shared_ptr<const ListMesh> mesh = repeated_objects_.find(recorder);
-  if (!mesh || !joins_lit_objects(context, *mesh)) return false;
+  const auto [mesh, has_quads] = repeated_objects_.find(recorder);
+  if (!mesh) return false;
+  const std::optional<KeptObjects::Key> key = kept_key(context, *mesh);
+  if (const KeptObjects::Entry* const kept = find_kept(key)) {
+    recorder.take_back_object();
+    append_kept_object(context, *kept);
+    return true;
+  }
+  if (!joins_lit_objects(context, *mesh)) return false;
   const PlacedObject placed(lighting_.transform.modelview_projection, mesh->object_surface());
   // Where quads are clipped or flat they are split the other way.
-  if (placed.flags.crosses() || lighting_.key.flat) return false;
+  if (has_quads && (placed.flags.crosses() || lighting_.key.flat)) return false;
   recorder.take_back_object();
-  append_lit_object(context, *mesh, placed);
+  append_lit_object(context, *mesh, placed, key);
   return true;
 }
 
-/// Of the state that lighting_ has. A vertex that triangles of both faces share is there twice.
-void Backend::append_lit_object(Context& context, const ListMesh& mesh,
-                                const PlacedObject& placed) {
+/// Of the state that lighting_ has; `key` was not found. A vertex that triangles of both faces
+/// share is there twice.
+void Backend::append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed,
+                                const std::optional<KeptObjects::Key>& key) {
   Recorder& recorder = context.recorder;
   const ObjectSurface& surface = mesh.object_surface();
+  const bool keeps = key && kept_objects_.wants();
   if (placed.flags.outside()) {
     ++context.statistics.primitives_clipped;
+    if (keeps) kept_objects_.keep(*key, {.outside = true});
     return;
   }
   const auto& clip = placed.clip;
   const std::vector<std::uint16_t>& seen =
       seen_triangles(context, surface, clip.data(), !placed.flags.crosses());
-  context.statistics.triangles_unseen += surface.triangles.size() - seen.size();
-  if (seen.empty()) return;
+  const std::size_t unseen = surface.triangles.size() - seen.size();
+  context.statistics.triangles_unseen += unseen;
+  if (seen.empty()) {
+    if (keeps) kept_objects_.keep(*key, {.unseen_triangles = unseen});
+    return;
+  }
+  draw_followed(context);
   if (!recorder.has_pending()) recorder.become_lit(context);
   const std::uint32_t base = recorder.vertex_count();
   Places places;
@@ -270,6 +357,56 @@ void Backend::append_lit_object(Context& context, const ListMesh& mesh,
   recorder.set_all_transformed();
   recorder.end_object(placed.flags.crosses());
   ++context.statistics.objects_lit;
+  if (!keeps) return;
+  const std::span<const std::uint32_t> all_elements = recorder.elements();
+  kept_objects_.keep(
+      *key, {.unseen_triangles = unseen, .apart = placed.flags.crosses()},
+      {recorder.data() + std::size_t{base} * kStride, std::size_t{places.count()} * kStride},
+      all_elements.last(3 * seen.size()), base);
+}
+
+void Backend::append_kept_object(Context& context, const KeptObjects::Entry& kept) {
+  Recorder& recorder = context.recorder;
+  const auto& [facts, vertices, triangles] = kept.object;
+  context.statistics.primitives_clipped += facts.outside;
+  context.statistics.triangles_unseen += facts.unseen_triangles;
+  if (triangles.empty()) return;
+  ++context.statistics.objects_lit;
+  ++context.statistics.objects_kept;
+  if (kept_batches_.follow(kept)) return;
+  draw_followed(context);
+  if (!recorder.has_pending()) {
+    recorder.become_lit(context);
+    if (kept_batches_.begin(kept)) return recorder.set_goes_on(true);
+  }
+  const std::uint32_t base = recorder.vertex_count();
+  std::uint32_t* elements =
+      recorder.append_elements(context, GL_TRIANGLES, static_cast<std::uint32_t>(triangles.size()));
+  for (const std::uint16_t element : triangles) *elements++ = base + element;
+  std::copy(vertices.begin(), vertices.end(),
+            recorder.append_lit(static_cast<std::uint32_t>(vertices.size() / kStride)));
+  recorder.set_all_transformed();
+  recorder.end_object(facts.apart);
+  kept_batches_.note(recorder, kept);
+}
+
+/// What came of the batch that is followed, before what comes now.
+void Backend::draw_followed(Context& context) {
+  if (!kept_batches_.is_followed()) return;
+  const auto [batch, elements_end] = kept_batches_.stop();
+  context.recorder.set_goes_on(false);
+  derive(context, kLitTo);
+  apply_derived(context);
+  bind_vertex_array(batch.array);
+  ++context.statistics.batches;
+  context.statistics.vertices += batch.vertex_count;
+  for (const PrimitiveRun& run : batch.runs) {
+    if (run.first >= elements_end || !use_program(context, run.mode, batch.vertex_count)) break;
+    driver.DrawElements(
+        run.mode, static_cast<GLsizei>(std::min(run.count, elements_end - run.first)),
+        GL_UNSIGNED_INT, reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
+    ++context.statistics.draws;
+  }
 }
 
 }  // namespace legacy_gl

@@ -36,15 +36,10 @@ MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool& uplo
 
   Entry entry;
   entry.mesh = mesh.weak_from_this();
-  driver_.GenBuffers(1, &entry.vertex_buffer);
-  driver_.BindBuffer(GL_ARRAY_BUFFER, entry.vertex_buffer);
-  driver_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(float)),
-                     mesh.vertices.data(), GL_STATIC_DRAW);
-  driver_.GenBuffers(1, &entry.index_buffer);
-  driver_.BindBuffer(GL_COPY_WRITE_BUFFER, entry.index_buffer);
-  driver_.BufferData(GL_COPY_WRITE_BUFFER,
-                     static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
-                     mesh.indices.data(), GL_STATIC_DRAW);
+  entry.vertex_buffer = build_buffer(driver_, GL_ARRAY_BUFFER, mesh.vertices.data(),
+                                     mesh.vertices.size() * sizeof(float));
+  entry.index_buffer = build_buffer(driver_, GL_COPY_WRITE_BUFFER, mesh.indices.data(),
+                                    mesh.indices.size() * sizeof(std::uint32_t));
   entry.array = build_vertex_array(driver_, mesh.layout, entry.vertex_buffer, entry.index_buffer);
   return entries_.emplace(&mesh, std::move(entry)).first->second;
 }

@@ -66,17 +66,17 @@ std::shared_ptr<const ListMesh> mesh_of(const std::vector<float>& vertices,
 
 }  // namespace
 
-std::shared_ptr<const ListMesh> RepeatedObjects::find(const Recorder& recorder) {
+RepeatedObjects::Found RepeatedObjects::find(const Recorder& recorder) {
   const Recorder::Object object = recorder.last_object();
   if (object.vertex_count == 0 || object.vertex_count > Recorder::kSmallObject ||
       !may_be_kept(object))
-    return nullptr;
+    return {};
   const std::uint64_t hash = hash_of(object);
   Entry& entry = entries_[hash >> (64 - kHashBits)];
   if (entry.hash != hash) {
     if (entry.seen) --entry.seen;
     else entry = Entry{.hash = hash, .seen = 1};
-    return nullptr;
+    return {};
   }
   entry.seen = std::min(entry.seen + 1, kMostSeen);
   const auto same_run = [&](const PrimitiveRun& run, const PrimitiveRun& kept) {
@@ -84,26 +84,28 @@ std::shared_ptr<const ListMesh> RepeatedObjects::find(const Recorder& recorder) 
            run.count == kept.count;
   };
   if (entry.vertices.empty()) {
-    if (entry.seen < kCopiesWhenMet) return nullptr;
+    if (entry.seen < kCopiesWhenMet) return {};
     entry.vertices.assign(object.vertices, object.vertices + object.vertex_count * kStride);
     entry.runs.assign(object.runs, object.runs + object.run_count);
     for (PrimitiveRun& run : entry.runs) {
       run.first -= object.first_vertex;
       run.apart = false;
     }
-    entry.mesh = mesh_of(entry.vertices, entry.runs);
-    return entry.mesh;
+    entry.found = {mesh_of(entry.vertices, entry.runs),
+                   std::any_of(entry.runs.begin(), entry.runs.end(),
+                               [](const PrimitiveRun& run) { return run.mode == GL_QUADS; })};
+    return entry.found;
   }
   const bool same = entry.vertices.size() == object.vertex_count * kStride &&
                     std::equal(object.runs, object.runs + object.run_count, entry.runs.begin(),
                                entry.runs.end(), same_run) &&
                     same_vertices(object.vertices, entry.vertices.data(), object.vertex_count);
-  if (same || entry.failures >= kMostFailures) return same ? entry.mesh : nullptr;
+  if (same || entry.failures >= kMostFailures) return same ? entry.found : Found{};
   entry.seen = 0;
   entry.vertices.clear();
-  entry.mesh.reset();
+  entry.found = {};
   ++entry.failures;
-  return nullptr;
+  return {};
 }
 
 }  // namespace legacy_gl

@@ -12,8 +12,12 @@ namespace legacy_gl {
 /// with those that were kept, and a closed one is drawn as if it came from a list.
 class RepeatedObjects {
  public:
-  /// The mesh that the last object of a lit batch equals; nullptr when none is kept of it.
-  std::shared_ptr<const ListMesh> find(const Recorder& recorder);
+  struct Found {
+    std::shared_ptr<const ListMesh> mesh;  ///< nullptr when none is kept
+    bool has_quads = false;                ///< of which the mesh has halves
+  };
+  /// The mesh that the last object of a lit batch equals.
+  Found find(const Recorder& recorder);
 
  private:
   struct Entry {
@@ -22,7 +26,7 @@ class RepeatedObjects {
     unsigned failures = 0;          ///< times that it had changed
     std::vector<float> vertices{};  ///< as the batch has them before they are lit
     std::vector<PrimitiveRun> runs{};  ///< from its first vertex on
-    std::shared_ptr<const ListMesh> mesh{};
+    Found found{};
   };
 
   static constexpr unsigned kHashBits = 8;

@@ -12,7 +12,7 @@ constexpr unsigned kLooksAtDraw = 3;
 
 }  // namespace
 
-const Backend::FramebufferFacts& Backend::framebuffer_facts(const Context& context) {
+const FramebufferFacts& Backend::framebuffer_facts(const Context& context) {
   if (!framebuffer_facts_) {
     GLint samples = 0, sample_buffers = 0;
     driver.GetIntegerv(GL_SAMPLES, &samples);

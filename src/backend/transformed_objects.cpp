@@ -148,10 +148,7 @@ bool Backend::transform_recorded(Context& context) {
 bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   constexpr unsigned kCopied = kFieldNormal | kFieldColor | kFieldSecondaryColor;
-  if (joins_lit_objects(context, mesh)) {
-    join_lit_mesh(context, mesh);
-    return true;
-  }
+  if (join_lit_mesh(context, mesh)) return true;
   if (mesh.layout.fields & ~kCopied || mesh.layout.materials || mesh.layout.texcoords) return false;
   if (mesh.triangles.empty() || !recorder.joins_objects(context)) return false;
   const std::uint32_t count = mesh.vertex_count();

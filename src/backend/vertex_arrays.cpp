@@ -19,6 +19,14 @@ GLuint VertexArrays::find_or_build(const VertexLayout& layout, GLuint vertex_buf
   return array;
 }
 
+GLuint build_buffer(const Driver& driver, GLenum target, const void* data, std::size_t size) {
+  GLuint buffer = 0;
+  driver.GenBuffers(1, &buffer);
+  driver.BindBuffer(target, buffer);
+  driver.BufferData(target, static_cast<GLsizeiptr>(size), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
 GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLuint vertex_buffer,
                           GLuint index_buffer) {
   GLuint array = 0;

@@ -6,6 +6,9 @@
 
 namespace legacy_gl {
 
+/// A buffer that is drawn from again and again; it is bound to the target afterwards.
+GLuint build_buffer(const Driver& driver, GLenum target, const void* data, std::size_t size);
+
 /// A vertex array object for vertices of `layout` in `vertex_buffer` from its start on; it is bound
 /// afterwards.
 GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLuint vertex_buffer,

@@ -102,7 +102,10 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
 }
 
 void Recorder::start_batch(Context& context) {
-  if (is_lit() && !stays_lit(context)) draw_pending(context);
+  // A small object is not to be divided between two batches.
+  if (is_lit() && (recorded_floats() + std::size_t{kSmallObject} * kLitStride > kFlushFloats ||
+                   !stays_lit(context)))
+    draw_pending(context);
   if (has_pending()) return;
   if (context.bitmaps_pending) draw_pending(context);
   VertexLayout layout = relevant_layout(context);

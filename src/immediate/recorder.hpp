@@ -117,6 +117,7 @@ class Recorder {
   void forget_part();
   /// Vertices of the batch are forgotten, and not all of them are drawn.
   bool goes_on() const { return goes_on_; }
+  void set_goes_on(bool goes_on) { goes_on_ = goes_on; }
   /// Takes these vertices in place of its own.
   void load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
             const PrimitiveRun* runs, std::size_t run_count);

@@ -205,6 +205,12 @@ std::vector<SpeedScene> object_scenes() {
   scenes.push_back(named(objects_scene(1000, draw_small_ball, true), "S4b",
                          "S4 with balls of 96 triangles", 0.5, 0));
   scenes.push_back(named(objects_scene(1000, draw_cube, false), "S4i", "S4 by glBegin", 0.5, 0));
+  SpeedScene turning = objects_scene(1000, draw_cube, true);
+  turning.frame = [frame = std::move(turning.frame)](const GlFunctions& gl) {
+    gl.Rotatef(0.7F, 0.3F, 1, 0);
+    frame(gl);
+  };
+  scenes.push_back(named(turning, "S4t", "S4, turning: every matrix is new in every frame", 0, 0));
   scenes.push_back(named(triangles_alone(1000, false), "S4f",
                          "the triangles of S4 alone: a list, no light", 0, 0));
   scenes.push_back(
