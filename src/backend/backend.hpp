@@ -169,7 +169,7 @@ class Backend {
   bool join_repeated_object(Context& context);
   struct PlacedObject;
   void append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed,
-                         const std::optional<KeptObjects::Key>& key);
+                         bool keeps);
   std::uint32_t surroundings(Context& context);
   std::optional<KeptObjects::Key> kept_key(Context& context, const ListMesh& mesh);
   const KeptObjects::Entry* find_kept(const std::optional<KeptObjects::Key>& key);

@@ -17,15 +17,20 @@ bool same_bits(const T& a, const T& b) {
 }
 static_assert(sizeof(Matrix) == 16 * (sizeof(float) + sizeof(double)));
 static_assert(sizeof(Materials) == 40 * sizeof(float));
+static_assert(sizeof(MatrixOperation) == 5 * sizeof(float));
+
+bool same_bits(std::span<const MatrixOperation> a, std::span<const MatrixOperation> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
 
 class Hash {
  public:
   template <typename T>
   void add(const T& value) {
-    std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)> words;
-    static_assert(sizeof words == sizeof value);
+    static_assert(sizeof value % sizeof(std::uint32_t) == 0);
+    std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
     std::memcpy(words.data(), &value, sizeof value);
-    for (const std::uint64_t word : words) {
+    for (const std::uint32_t word : words) {
       // Two chains, so that neither waits for each product.
       std::swap(even_, odd_);
       even_ = (even_ ^ word) * kFactor;
@@ -44,7 +49,8 @@ std::uint64_t hash_of(const KeptObjects::Key& key) {
   Hash hash;
   hash.add(&key.mesh);
   hash.add(std::uint64_t{key.surroundings});
-  hash.add(key.modelview.single);
+  hash.add(key.modelview.base.single);
+  for (const MatrixOperation& operation : key.modelview.operations) hash.add(operation);
   hash.add(key.materials[kFront].diffuse);
   return hash.value();
 }
@@ -106,8 +112,20 @@ std::uint32_t SurroundingsNumbers::number_of(const Context& context,
 }
 
 bool KeptObjects::Entry::equals(const Key& key) const {
-  return surroundings == key.surroundings && same_bits(modelview, key.modelview) &&
+  return number && surroundings == key.surroundings &&
+         same_bits(modelview_base, key.modelview.base) &&
+         same_bits({operations.data(), operation_count}, key.modelview.operations) &&
          same_bits(materials, key.materials) && address == &key.mesh && !mesh.expired();
+}
+
+void KeptObjects::Entry::set_key(const Key& key) {
+  address = &key.mesh;
+  mesh = key.mesh.weak_from_this();
+  surroundings = key.surroundings;
+  modelview_base = key.modelview.base;
+  operation_count = key.modelview.operations.size();
+  std::copy(key.modelview.operations.begin(), key.modelview.operations.end(), operations.begin());
+  materials = key.materials;
 }
 
 const KeptObjects::Entry* KeptObjects::find(const Key& key, const Entry* expected) {
@@ -127,36 +145,33 @@ const KeptObjects::Entry* KeptObjects::find(const Key& key, const Entry* expecte
   slot->last_used = ++clock_;
   wanted_ = nullptr;
   if (met && slot->entry && slot->entry->equals(key)) return slot->entry.get();
-  if (met) wanted_ = &*slot;
+  if (!met) return nullptr;
+  if (!slot->entry) slot->entry = std::make_unique<Entry>();
+  wanted_ = slot->entry.get();
+  wanted_->number = 0;
+  wanted_->set_key(key);
   return nullptr;
 }
 
-void KeptObjects::keep(const Key& key, const Facts& facts, std::span<const float> vertices,
+void KeptObjects::keep(const Facts& facts, std::span<const float> vertices,
                        std::span<const std::uint32_t> elements, std::uint32_t base) {
-  if (!wanted_->entry) wanted_->entry = std::make_unique<Entry>();
-  Entry& entry = *wanted_->entry;
-  floats_ -= entry.floats();
-  entry.number = ++last_number_;
-  entry.address = &key.mesh;
-  entry.mesh = key.mesh.weak_from_this();
-  entry.surroundings = key.surroundings;
-  entry.modelview = key.modelview;
-  entry.materials = key.materials;
-  Object& object = entry.object;
+  floats_ -= wanted_->floats();
+  wanted_->number = ++last_number_;
+  Object& object = wanted_->object;
   object.facts = facts;
   object.vertices.assign(vertices.begin(), vertices.end());
   object.elements.clear();
   for (const std::uint32_t element : elements)
     object.elements.push_back(static_cast<std::uint16_t>(element - base));
-  floats_ += entry.floats();
+  floats_ += wanted_->floats();
   if (floats_ > kMostFloats) make_room();
 }
 
 /// All but the last are given up: those that still come return.
 void KeptObjects::make_room() {
   for (Slot& slot : slots_)
-    if (slot.entry && &slot != wanted_) *slot.entry = Entry{};
-  floats_ = wanted_->entry->floats();
+    if (slot.entry && slot.entry.get() != wanted_) *slot.entry = Entry{};
+  floats_ = wanted_->floats();
 }
 
 }  // namespace legacy_gl

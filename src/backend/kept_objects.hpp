@@ -50,7 +50,7 @@ class KeptObjects {
   struct Key {
     const ListMesh& mesh;
     std::uint32_t surroundings;
-    const Matrix& modelview;
+    PendingMatrix modelview;
     const Materials& materials;
   };
   struct Facts {
@@ -67,24 +67,28 @@ class KeptObjects {
 
   /// An object where it is kept. There may be another in its place later, of another number.
   struct Entry {
-    std::uint64_t number = 0;
+    std::uint64_t number = 0;  ///< 0: not kept yet
     const ListMesh* address = nullptr;
     std::weak_ptr<const ListMesh> mesh;  ///< nothing else is at its address until it is gone
     std::uint32_t surroundings = 0;
-    Matrix modelview;
+    Matrix modelview_base;
+    std::array<MatrixOperation, MatrixStack::kMaxPending> operations;
+    std::size_t operation_count = 0;
     Materials materials;
     Object object;
 
     bool equals(const Key& key) const;
+    void set_key(const Key& key);
     std::size_t floats() const { return object.vertices.capacity(); }
   };
 
-  /// nullptr when the object is not kept. It may be the expected one.
+  /// nullptr when the object is not kept. It may be the expected one. Nothing that the key refers
+  /// to is needed afterwards.
   const Entry* find(const Key& key, const Entry* expected);
   /// What was not found last was met before: it is worth keeping.
   bool wants() const { return wanted_ != nullptr; }
   /// Keeps what was not found last. `elements` count from `base`.
-  void keep(const Key& key, const Facts& facts, std::span<const float> vertices = {},
+  void keep(const Facts& facts, std::span<const float> vertices = {},
             std::span<const std::uint32_t> elements = {}, std::uint32_t base = 0);
 
  private:
@@ -101,7 +105,7 @@ class KeptObjects {
   void make_room();
 
   std::vector<Slot> slots_;  ///< by the first bits of the hash; none until the first object
-  Slot* wanted_ = nullptr;
+  Entry* wanted_ = nullptr;
   std::uint64_t last_number_ = 0, clock_ = 0;
   std::size_t floats_ = 0;
 };

@@ -172,7 +172,7 @@ bool Backend::stays_lit(Context& context) {
   const LightingState& lighting = context.lighting;
   const bool usual = context.options.quality == LEGACY_GL_QUALITY_DEFAULT &&
                      lighting.model.color_control == GL_SINGLE_COLOR &&
-                     is_affine(context.transform.modelview.top().exact) &&
+                     is_affine(context.transform.modelview.pending_top().base.exact) &&
                      are_modest(lighting.materials);
   const std::uint32_t number = surroundings(context);
   if (usual && number == lit_surroundings_) return true;
@@ -256,7 +256,7 @@ std::optional<KeptObjects::Key> Backend::kept_key(Context& context, const ListMe
   context.dirty = 0;  // they are put by
   return KeptObjects::Key{mesh,
                           surroundings_.number_of(context, framebuffer_facts(context), changed),
-                          context.transform.modelview.top(), context.lighting.materials};
+                          context.transform.modelview.pending_top(), context.lighting.materials};
 }
 
 const KeptObjects::Entry* Backend::find_kept(const std::optional<KeptObjects::Key>& key) {
@@ -275,7 +275,7 @@ bool Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
   } else {
     if (!joins_lit_objects(context, mesh)) return false;
     const PlacedObject placed(lighting_.transform.modelview_projection, mesh.object_surface());
-    append_lit_object(context, mesh, placed, key);
+    append_lit_object(context, mesh, placed, key && kept_objects_.wants());
   }
   recorder.flush_if_large(context);
   return true;
@@ -300,20 +300,18 @@ bool Backend::join_repeated_object(Context& context) {
   // Where quads are clipped or flat they are split the other way.
   if (has_quads && (placed.flags.crosses() || lighting_.key.flat)) return false;
   recorder.take_back_object();
-  append_lit_object(context, *mesh, placed, key);
+  append_lit_object(context, *mesh, placed, key && kept_objects_.wants());
   return true;
 }
 
-/// Of the state that lighting_ has; `key` was not found. A vertex that triangles of both faces
-/// share is there twice.
+/// Of the state that lighting_ has. A vertex that triangles of both faces share is there twice.
 void Backend::append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed,
-                                const std::optional<KeptObjects::Key>& key) {
+                                bool keeps) {
   Recorder& recorder = context.recorder;
   const ObjectSurface& surface = mesh.object_surface();
-  const bool keeps = key && kept_objects_.wants();
   if (placed.flags.outside()) {
     ++context.statistics.primitives_clipped;
-    if (keeps) kept_objects_.keep(*key, {.outside = true});
+    if (keeps) kept_objects_.keep({.outside = true});
     return;
   }
   const auto& clip = placed.clip;
@@ -322,7 +320,7 @@ void Backend::append_lit_object(Context& context, const ListMesh& mesh, const Pl
   const std::size_t unseen = surface.triangles.size() - seen.size();
   context.statistics.triangles_unseen += unseen;
   if (seen.empty()) {
-    if (keeps) kept_objects_.keep(*key, {.unseen_triangles = unseen});
+    if (keeps) kept_objects_.keep({.unseen_triangles = unseen});
     return;
   }
   draw_followed(context);
@@ -360,7 +358,7 @@ void Backend::append_lit_object(Context& context, const ListMesh& mesh, const Pl
   if (!keeps) return;
   const std::span<const std::uint32_t> all_elements = recorder.elements();
   kept_objects_.keep(
-      *key, {.unseen_triangles = unseen, .apart = placed.flags.crosses()},
+      {.unseen_triangles = unseen, .apart = placed.flags.crosses()},
       {recorder.data() + std::size_t{base} * kStride, std::size_t{places.count()} * kStride},
       all_elements.last(3 * seen.size()), base);
 }

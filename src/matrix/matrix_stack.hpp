@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <span>
 #include <vector>
 
 namespace legacy_gl {
@@ -34,6 +35,12 @@ struct MatrixOperation {
   float degrees = 0;
 };
 
+/// A matrix that is not computed yet: operations on another, in their order.
+struct PendingMatrix {
+  const Matrix& base;
+  std::span<const MatrixOperation> operations;
+};
+
 /// GL 2.1 spec 2.11.2. Never empty. What is pushed and popped again with nothing drawn in between
 /// is never computed.
 class MatrixStack {
@@ -48,6 +55,9 @@ class MatrixStack {
   const Matrix& top() const {
     compute();
     return matrices_[depth_ - 1];
+  }
+  PendingMatrix pending_top() const {
+    return {matrices_[depth_ - (copies_below_ ? 2 : 1)], {pending_.data(), pending_count_}};
   }
   void apply(const MatrixOperation& operation) {
     if (pending_count_ == kMaxPending) compute();
@@ -68,9 +78,9 @@ class MatrixStack {
     pending_count_ = 0;
   }
 
- private:
   static constexpr std::size_t kMaxPending = 4;
 
+ private:
   void compute() const {
     if (copies_below_ || pending_count_) compute_pending();
   }

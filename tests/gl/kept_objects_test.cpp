@@ -253,6 +253,23 @@ TEST_F(KeptObjectsBesideMesa, OthersMayComeBetween) {
     }
 }
 
+// Each object's matrix is the last one's, changed in the same way.
+TEST_F(KeptObjectsBesideMesa, TheirMatricesMayBuildUp) {
+  for (int i = 0; i < 2 * kFramesUntilKept; ++i)
+    frame([](const GlFunctions& gl) {
+      gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      gl.LoadIdentity();
+      gl.Translatef(1.2F, 0, -4);
+      for (int object = 0; object < 24; ++object) {
+        gl.Rotatef(15, 0, 0, 1);
+        gl.Translatef(0.3F, 0, 0.02F);
+        gl.Scalef(0.2F, 0.2F, 0.2F);
+        gl.CallList(kCube);
+        gl.Scalef(5, 5, 5);
+      }
+    });
+}
+
 TEST_F(KeptObjectsBesideMesa, ListsMayBeCompiledAnew) {
   for (const float bend : {0.0F, 1.5F, -0.5F, 0.0F, 0.7F}) {
     for (RenderContext* context : contexts()) {
