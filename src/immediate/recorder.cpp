@@ -171,6 +171,7 @@ Recorder::Object Recorder::last_object() const {
 void Recorder::take_back_object() {
   cursor_ = storage_.get() + std::size_t{object_first_} * offsets_.stride;
   runs_.resize(object_run_);
+  runs_changed();
 }
 
 void Recorder::put_template(const Context& context, float* vertex) {
@@ -220,7 +221,7 @@ void Recorder::set_layout(const VertexLayout& layout) {
 }
 
 void Recorder::set_limit() {
-  limit_ = inside_ ? storage_.get() + (capacity_floats_ - offsets_.stride + 1) : nullptr;
+  limit_ = inside_begin_end() ? storage_.get() + (capacity_floats_ - offsets_.stride + 1) : nullptr;
 }
 
 void Recorder::reserve(std::uint32_t more_vertices) {
@@ -239,7 +240,7 @@ void Recorder::reserve(std::uint32_t more_vertices) {
 
 void Recorder::begin(Context& context, GLenum mode) {
   start_batch(context);
-  inside_ = true;
+  set_activity(kInside, true);
   mode_ = mode;
   reserve(4);
   first_ = vertex_count();
@@ -317,7 +318,7 @@ void Recorder::draw_part(Context& context) {
 }
 
 void Recorder::vertex_slowly(Context& context, float x, float y, float z) {
-  if (!inside_) return;  // undefined outside Begin/End (GL 2.1 spec 2.6.1): ignored
+  if (!inside_begin_end()) return;  // undefined outside Begin/End (GL 2.1 spec 2.6.1): ignored
   const bool apart = mode_ == GL_TRIANGLES || mode_ == GL_LINES || mode_ == GL_POINTS;
   if (apart && cursor_ >= limit_ && recorded_floats() + kMaxVertexFloats > kFlushFloats)
     draw_part(context);
@@ -329,7 +330,7 @@ void Recorder::vertex_slowly(Context& context, float x, float y, float z) {
 }
 
 void Recorder::vertex(Context& context, float x, float y, float z, float w) {
-  if (!inside_) return;
+  if (!inside_begin_end()) return;
   if (w != 1 && offsets_.position_size == 3) {
     VertexLayout with_w = layout_;
     with_w.fields |= kFieldPositionW;
@@ -358,6 +359,7 @@ void Recorder::add_run(Context& context, const PrimitiveRun& run) {
     }
   }
   runs_.push_back(run);
+  runs_changed();
 }
 
 void Recorder::put_current(const Context& context, const VertexLayout& layout, float* vertices,
@@ -375,7 +377,7 @@ void Recorder::flush_if_large(Context& context) {
 }
 
 void Recorder::end(Context& context) {
-  inside_ = false;
+  set_activity(kInside, false);
   limit_ = nullptr;
   close_run(context, mode_, first_);
   flush_if_large(context);
@@ -471,11 +473,12 @@ void Recorder::carry_wide_texcoords(Context& context, unsigned unit) {
 }
 
 void Recorder::forget_part() {
-  goes_on_ = true;
+  set_activity(kGoesOn, true);
   joining_ = false;
   objects_ = object_first_ = first_untransformed_ = 0;
   object_run_ = 0;
   runs_.clear();
+  runs_changed();
   elements_.clear();
   cursor_ = storage_.get();
 }
@@ -487,6 +490,7 @@ void Recorder::load(const VertexLayout& layout, const float* vertices, std::uint
   reserve(count);
   cursor_ = std::copy_n(vertices, std::size_t{count} * offsets_.stride, cursor_);
   runs_.assign(runs, runs + run_count);
+  runs_changed();
 }
 
 void Recorder::clear() {
@@ -498,10 +502,12 @@ void Recorder::clear() {
     skip_ = backoff_;
     usual_materials_ = paid ? layout_.materials : MaterialMask{0};
   }
-  tried_joining_ = goes_on_ = false;
+  tried_joining_ = false;
+  set_activity(kGoesOn, false);
   objects_ = object_first_ = first_untransformed_ = 0;
   object_run_ = 0;
   runs_.clear();
+  runs_changed();
   elements_.clear();
   cursor_ = storage_.get();
 }

@@ -27,9 +27,9 @@ struct PrimitiveRun {
 /// a state changes, when it is large, or when the program asks for pixels.
 class Recorder {
  public:
-  bool inside_begin_end() const { return inside_; }
-  bool has_pending() const { return !runs_.empty() || goes_on_; }
-  bool is_idle() const { return !has_pending() && !inside_; }
+  bool inside_begin_end() const { return activity_ & kInside; }
+  bool has_pending() const { return activity_ & (kRuns | kGoesOn); }
+  bool is_idle() const { return activity_ == 0; }
 
   void begin(legacy_gl_context& context, GLenum mode);
   void end(legacy_gl_context& context);
@@ -75,7 +75,7 @@ class Recorder {
   bool is_lit() const { return !is_idle() && layout_.fields & kFieldLit; }
   /// One whose vertices neither matrices nor lights nor materials change any more.
   bool all_lit() const {
-    return is_lit() && !inside_ &&
+    return is_lit() && !inside_begin_end() &&
            recorded_floats() == std::size_t{first_untransformed_} * kLitStride;
   }
   static constexpr unsigned kLitStride = 8;  ///< position and colour
@@ -116,8 +116,8 @@ class Recorder {
   /// (RepeatedBatches).
   void forget_part();
   /// Vertices of the batch are forgotten, and not all of them are drawn.
-  bool goes_on() const { return goes_on_; }
-  void set_goes_on(bool goes_on) { goes_on_ = goes_on; }
+  bool goes_on() const { return activity_ & kGoesOn; }
+  void set_goes_on(bool goes_on) { set_activity(kGoesOn, goes_on); }
   /// Takes these vertices in place of its own.
   void load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
             const PrimitiveRun* runs, std::size_t run_count);
@@ -151,6 +151,13 @@ class Recorder {
     kColorAndTexcoord
   };
 
+  /// What is under way, in one byte that calls look at: inside Begin/End; there are runs; vertices
+  /// of the batch before these are forgotten.
+  enum Activity : std::uint8_t { kInside = 1, kRuns = 2, kGoesOn = 4 };
+  void set_activity(Activity what, bool on) {
+    activity_ = static_cast<std::uint8_t>(on ? activity_ | what : activity_ & ~what);
+  }
+  void runs_changed() { set_activity(kRuns, !runs_.empty()); }
   void set_layout(const VertexLayout& layout);
   void vertex_slowly(legacy_gl_context& context, float x, float y, float z);
   void set_limit();
@@ -168,7 +175,6 @@ class Recorder {
   static constexpr std::uint32_t kAlike = 3;  ///< objects in a row before joining is tried
   std::uint32_t alike_ = 0;  ///< objects that differ in matrices and materials alone
   bool joining_ = false;
-  bool goes_on_ = false;  ///< vertices of the batch before these are forgotten
   bool tried_joining_ = false;
   std::uint32_t skip_ = 0;  ///< batches that are not to be tried
   std::uint32_t backoff_ = 0;
@@ -178,7 +184,7 @@ class Recorder {
   float* cursor_ = nullptr;
   float* limit_ = nullptr;  ///< a vertex fits while the cursor is before it; null outside Begin/End
   Shape shape_ = Shape::kOther;
-  bool inside_ = false;
+  std::uint8_t activity_ = 0;
   VertexLayout layout_;
   VertexOffsets offsets_;
   GLenum mode_ = GL_POINTS;

@@ -1,6 +1,7 @@
 #pragma once
-#include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #include "state/context.hpp"
 
@@ -17,21 +18,35 @@ namespace legacy_gl {
   static_assert(offsetof(Material, ambient) == 0 && offsetof(Material, diffuse) == kColor &&
                 offsetof(Material, specular) == 2 * kColor &&
                 offsetof(Material, emission) == 3 * kColor);
-  const unsigned property = pname == GL_EMISSION ? 3 : pname - GL_AMBIENT;
-  if (property > 3 || (property == 3 && pname != GL_EMISSION) || face - GL_FRONT > 1) return false;
-  if (context.lighting.color_material.enabled) return false;
+  unsigned property = pname - GL_AMBIENT;
+  if (property > 2) [[unlikely]] {
+    if (pname != GL_EMISSION) return false;
+    property = 3;
+  }
+  if (face - GL_FRONT > 1) [[unlikely]]
+    return false;
+  if (context.lighting.color_material.enabled) [[unlikely]]
+    return false;
   const Recorder& recorder = context.recorder;
-  if (!recorder.is_idle() && !recorder.all_lit()) return false;
-  // A word at a time: programs write a colour that way just before, and a wider read would wait
-  // until those stores have left the processor.
+  if (!recorder.is_idle()) [[unlikely]] {
+    if (!recorder.all_lit()) return false;
+  }
   float* const stored =
       reinterpret_cast<float*>(&context.lighting.materials[face - GL_FRONT]) + 4 * property;
-  if (!(context.dirty & kDirtyMaterial)) {
-    if (std::equal(color, color + 4, stored)) return true;
+  if (!(context.dirty & kDirtyMaterial)) [[unlikely]] {
+    const auto differs = [&](int i) {
+      return std::bit_cast<std::uint32_t>(color[i]) ^ std::bit_cast<std::uint32_t>(stored[i]);
+    };
+    if (!(differs(0) | differs(1) | differs(2) | differs(3))) return true;
     context.dirty |= kDirtyMaterial;
   }
+  // A word at a time, which compilers are kept from making one of four: programs write a colour
+  // that way just before, and a wider read would wait until those stores have left the processor.
 #pragma GCC unroll 4
-  for (int i = 0; i < 4; ++i) stored[i] = color[i];
+  for (int i = 0; i < 4; ++i) {
+    stored[i] = color[i];
+    asm("" : "+m"(stored[i]));
+  }
   return true;
 }
 
