@@ -28,8 +28,9 @@ struct Surface {
   std::vector<Corner> corners;  ///< three for each triangle, the provoking one last
 };
 
-/// Meshes of fewer vertices are not worth a list of triangles of their own.
-inline constexpr std::uint32_t kWorthwhileSurface = 1024;
+/// Meshes of fewer vertices are not worth a list of triangles of their own; small objects join
+/// batches.
+inline constexpr std::uint32_t kWorthwhileSurface = 128;
 
 /// The mesh has nothing but polygons. Closed are surfaces of which every part is seen whole from
 /// its middle (balls, boxes, cones and whatever is convex), each edge the way of two triangles
