@@ -155,8 +155,10 @@ void Backend::stage_stale_blocks(Context& context) {
                     derived_.texture_units.size() * sizeof(TextureUnitUniforms), 0);
   if (!derived_.key.lit) return;
   const bool general = general_program_;
-  if (general && derived_.stale[kGeneralBlock])
+  if (general && derived_.stale[kGeneralBlock]) {
+    derived_.fill_general(context);
     stage_block(context, kGeneralBlock, &derived_.general, sizeof derived_.general);
+  }
   // Programs that are not made for this number of lights have arrays of a power of two.
   std::size_t capacity = kGeneralLights;
   while (capacity < derived_.lights.size()) capacity *= 2;

@@ -55,6 +55,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
   transformed_ = transformed;
   const bool layout_changed = layout != layout_;
   if (dirty & kDirtyTransform) update_transform(context);
+  if (dirty & kDirtyLights) find_eye_directions(context);
   if (choose_reached(context, layout, facts.bounds)) dirty |= kDirtyLights;
   if (choose_normalize(context, facts.unit_normals)) dirty |= kDirtyTransform;
   if (dirty == 0 && !layout_changed) return;
@@ -103,7 +104,7 @@ void Derived::fill_lighting(const Context& context, std::uint32_t dirty, const P
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
   if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
     fill_faces(context);
-  if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_general(context);
+  if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) stale[kGeneralBlock] = true;
 }
 
 const Matrix& Derived::modelview(const Context& context) const {

@@ -53,13 +53,16 @@ class Derived {
   void update(Context& context, const VertexLayout& layout, Dialect dialect,
               const DrawFacts& facts = {});
 
+  /// Brings `general` up to date: from the values of the other blocks, which are filled.
+  void fill_general(const Context& context);
+
   ProgramKey key;
   TransformUniforms transform;
   std::vector<LightUniforms> lights;
   std::array<FaceUniforms, 2> faces;
   PreciseUniforms precise;  ///< this and lights_low only in the precise quality
   std::vector<LightLow> lights_low;
-  GeneralUniforms general;
+  GeneralUniforms general;  ///< after fill_general
   FragmentUniforms fragments;
   ClipPlaneUniforms clip_planes;
   PointUniforms points;
@@ -91,9 +94,9 @@ class Derived {
   void choose_textures(Context& context);
   void fill_textures(Context& context);
   void fill_transform(const Context& context);
+  void find_eye_directions(const Context& context);
   void fill_lights(const Context& context);
   void fill_faces(const Context& context);
-  void fill_general(const Context& context);
 
   /// The batch's vertices are in clip coordinates and eye coordinates already.
   bool transformed_ = false;
@@ -106,6 +109,11 @@ class Derived {
   bool directions_only_ = false;  ///< lights meet the normals as they are given
   double sum_scale_ = 1;          ///< what the products were divided by (scaled_sums)
   VertexLayout layout_;
+  /// Unit vectors of each directional light in eye coordinates, for a viewer at infinity.
+  struct EyeDirections {
+    glm::dvec3 to_light, half_vector;
+  };
+  std::vector<EyeDirections> eye_directions_;
   std::vector<ActiveLight> active_;
   std::vector<ActiveLight> filled_up_;
   LightMask reached_ = LightMask().set();

@@ -30,6 +30,16 @@ constexpr double kBelowOne = 1 - 0x1p-24;  // the largest float below 1
 
 }  // namespace
 
+void Derived::find_eye_directions(const Context& context) {
+  const std::vector<Light>& all = context.lighting.lights;
+  eye_directions_.resize(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_directional(all[i])) continue;
+    const glm::dvec3 to_light = unit(glm::dvec3(all[i].position_eye));
+    eye_directions_[i] = {to_light, unit(to_light + glm::dvec3(0, 0, 1))};
+  }
+}
+
 void Derived::fill_lights(const Context& context) {
   stale[kLightsBlock] = true;
   stale[kPreciseBlock] = true;
@@ -53,13 +63,12 @@ void Derived::fill_lights(const Context& context) {
     LightLow uniforms_low;
     const glm::dvec3 position(light.position_eye);
     if (is_directional(light)) {
-      const glm::dvec3 to_light = unit(position);
-      const glm::dvec3 direction = covariant * to_light;
+      const glm::dvec3 direction = covariant * eye_directions_[active.index].to_light;
       const bool split = key.quality == Quality::kPrecise;
       uniforms.position = finite(split ? coarse(direction) : direction, 0);
       uniforms_low.position = rest_of(glm::dvec4(direction, 0), uniforms.position);
       // A normal made unit length in object space meets a half vector that is so too.
-      glm::dvec3 half_vector = covariant * unit(to_light + glm::dvec3(0, 0, 1));
+      glm::dvec3 half_vector = covariant * eye_directions_[active.index].half_vector;
       if (key.normal == NormalMode::kNormalize ||
           (key.quality == Quality::kDefault && !splits_half_vectors(key)))
         half_vector = unit(half_vector);
@@ -122,7 +131,10 @@ void Derived::fill_faces(const Context& context) {
                (factor / sum_scale_);
       };
       const double shine_of_length =
-          std::pow(normal_length_, static_cast<double>(context.lighting.materials[face].shininess));
+          normal_length_ == 1
+              ? 1
+              : std::pow(normal_length_,
+                         static_cast<double>(context.lighting.materials[face].shininess));
       const glm::dvec3 diffuse = product(kDiffuse, light.diffuse, normal_length_);
       glm::vec4 ambient(0);
       if (active.kind & kLightAmbient) ambient = finite(product(kAmbient, light.ambient, 1), 0);
@@ -143,7 +155,6 @@ void Derived::fill_faces(const Context& context) {
 
 /// From the values of the other blocks, which are filled.
 void Derived::fill_general(const Context& context) {
-  stale[kGeneralBlock] = true;
   general = {};
   if (key.space != LightingSpace::kObject) general.lighting_matrix = transform.modelview;
   if (key.space == LightingSpace::kEyeAxes) general.lighting_matrix[3] = {0, 0, 0, 1};

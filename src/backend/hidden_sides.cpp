@@ -16,14 +16,15 @@ namespace {
 /// surface is less deep, its two sides have the same values and the one drawn first is seen.
 constexpr double kDepthSteps = 4096;
 
-/// The determinant in parts of what it can be at most: below this its sign may be rounding.
-constexpr double kSingular = 1e-6;
-
-double relative_determinant(const glm::mat4& matrix) {
+/// The determinant, or 0 where it is so small, in parts of what it can be at most, that its sign
+/// may be rounding.
+double sure_determinant(const glm::mat4& matrix) {
+  constexpr double kSingular = 1e-6;
   const glm::dmat4 rows = glm::transpose(glm::dmat4(matrix));
-  double most = 1;
-  for (int i = 0; i < 4; ++i) most *= glm::length(rows[i]);
-  return glm::determinant(rows) / most;
+  double most_squared = 1;
+  for (int i = 0; i < 4; ++i) most_squared *= glm::dot(rows[i], rows[i]);
+  const double determinant = glm::determinant(rows);
+  return determinant * determinant > kSingular * kSingular * most_squared ? determinant : 0;
 }
 
 }  // namespace
@@ -47,8 +48,8 @@ bool shows_nearest_alone(const Context& context) {
 
 Surface::Winding inner_winding(Surface::Winding outer, const glm::mat4& modelview_projection) {
   using Winding = Surface::Winding;
-  const double determinant = relative_determinant(modelview_projection);
-  if (outer == Winding::kOpen || !(std::abs(determinant) > kSingular)) return Winding::kOpen;
+  const double determinant = sure_determinant(modelview_projection);
+  if (outer == Winding::kOpen || determinant == 0) return Winding::kOpen;
   // The usual projection mirrors: the eye looks along -z, depth grows along +z. Then an outer side
   // is seen wound as it is.
   const bool seen_counterclockwise = (outer == Winding::kCounterclockwise) == (determinant < 0);

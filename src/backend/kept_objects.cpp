@@ -130,6 +130,11 @@ void KeptObjects::Entry::set_key(const Key& key) {
 
 const KeptObjects::Entry* KeptObjects::find(const Key& key, const Entry* expected) {
   if (expected && expected->equals(key)) return expected;
+  wanted_ = nullptr;
+  if (pause_) {
+    --pause_;
+    return nullptr;
+  }
   if (slots_.empty()) slots_.resize(kSlotsOfAHash << kHashBits);
   const std::uint64_t hash = hash_of(key);
   const auto first =
@@ -143,7 +148,11 @@ const KeptObjects::Entry* KeptObjects::find(const Key& key, const Entry* expecte
     slot->hash = hash;
   }
   slot->last_used = ++clock_;
-  wanted_ = nullptr;
+  missed_ = met ? 0 : missed_ + 1;
+  if (missed_ == kMissedInVain) {
+    missed_ = 0;
+    pause_ = kPause;
+  }
   if (met && slot->entry && slot->entry->equals(key)) return slot->entry.get();
   if (!met) return nullptr;
   if (!slot->entry) slot->entry = std::make_unique<Entry>();

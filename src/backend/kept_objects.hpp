@@ -94,6 +94,8 @@ class KeptObjects {
  private:
   static constexpr unsigned kHashBits = 12;
   static constexpr std::size_t kSlotsOfAHash = 4;
+  /// After so many objects in a row of which none was met before so many are not looked for.
+  static constexpr unsigned kMissedInVain = kSlotsOfAHash << kHashBits, kPause = 4 * kMissedInVain;
   static constexpr std::size_t kMostFloats = std::size_t{4} << 20;  ///< of all objects together
 
   struct Slot {
@@ -107,6 +109,7 @@ class KeptObjects {
   std::vector<Slot> slots_;  ///< by the first bits of the hash; none until the first object
   Entry* wanted_ = nullptr;
   std::uint64_t last_number_ = 0, clock_ = 0;
+  unsigned missed_ = 0, pause_ = 0;
   std::size_t floats_ = 0;
 };
 

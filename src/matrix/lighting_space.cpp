@@ -1,7 +1,9 @@
 #include "matrix/lighting_space.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -22,6 +24,14 @@ double largest_entry(const glm::dmat3& m) {
   return largest;
 }
 
+/// 2^-floor(log2(x)), of a positive number.
+double inverse_power_of_two(double x) {
+  constexpr unsigned kMantissaBits = 52;
+  constexpr std::uint64_t kLargest = 2046;
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> kMantissaBits;
+  return std::bit_cast<double>(std::max<std::uint64_t>(kLargest - exponent, 1) << kMantissaBits);
+}
+
 }  // namespace
 
 LinearPart analyse(const glm::dmat3& matrix) {
@@ -35,7 +45,7 @@ LinearPart analyse(const glm::dmat3& matrix) {
     return part;
   }
   // An exact power of two brings the entries near 1, so that no product of three leaves the range.
-  const double power = std::exp2(-std::floor(std::log2(largest)));
+  const double power = inverse_power_of_two(largest);
   const glm::dmat3 m = matrix * power;
   const glm::dvec3 x = m[0], y = m[1], z = m[2];
   const double squared = glm::dot(x, x);
@@ -64,7 +74,7 @@ LinearPart analyse(const glm::dmat3& matrix) {
     part.exact = largest_entry(part.angle_error) < kInvisible;
   }
   if (const double cofactor_size = largest_entry(part.cofactor); cofactor_size > 0)
-    part.cofactor *= std::exp2(-3 - std::floor(std::log2(cofactor_size)));
+    part.cofactor *= inverse_power_of_two(cofactor_size) / 8;
   return part;
 }
 
