@@ -13,7 +13,8 @@ namespace {
 /// Bit for bit: what is rounded in another way, and -0 in place of 0, is something else.
 template <typename T>
 bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  const void *const first = &a, *const second = &b;
+  return std::memcmp(first, second, sizeof(T)) == 0;
 }
 static_assert(sizeof(Matrix) == 16 * (sizeof(float) + sizeof(double)));
 static_assert(sizeof(Materials) == 40 * sizeof(float));
@@ -27,9 +28,10 @@ class Hash {
  public:
   template <typename T>
   void add(const T& value) {
-    static_assert(sizeof value % sizeof(std::uint32_t) == 0);
-    std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
-    std::memcpy(words.data(), &value, sizeof value);
+    constexpr std::size_t kWord = 4;
+    static_assert(sizeof(T) % kWord == 0);
+    std::array<std::uint32_t, sizeof(T) / kWord> words;
+    std::memcpy(words.data(), &value, sizeof(T));
     for (const std::uint32_t word : words) {
       // Two chains, so that neither waits for each product.
       std::swap(even_, odd_);
@@ -47,8 +49,8 @@ class Hash {
 /// Of what differs between most objects.
 std::uint64_t hash_of(const KeptObjects::Key& key) {
   Hash hash;
-  hash.add(&key.mesh);
-  hash.add(std::uint64_t{key.surroundings});
+  hash.add(reinterpret_cast<std::uintptr_t>(&key.mesh));
+  hash.add(key.surroundings);
   hash.add(key.modelview.base.single);
   for (const MatrixOperation& operation : key.modelview.operations) hash.add(operation);
   hash.add(key.materials[kFront].diffuse);
