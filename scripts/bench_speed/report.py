@@ -127,13 +127,19 @@ def calls_table(scenes, groups):
 
 
 def growth_table(growth, groups):
-    out = ["| what | number | ns of CPU each, ours | Mesa | less an empty frame, ours | Mesa |", "|---|---|---|---|---|---|"]
+    """What each costs, less an empty frame, and what each of those costs that the row before had not."""
+    out = ["| what | number | ns of CPU each, ours | Mesa | each of those added, ours | Mesa |", "|---|---|---|---|---|---|"]
     empty = empty_frame(groups, 16)
+    before = {}
     for (scene, units, _, frame), rows in sorted(growth.items()):
-        if frame == "steady":
-            ours, mesa = (1e6 * median(rows, f"{side}_cpu_ms") / units for side in ("ours", "mesa"))
-            less = [whole - 1e6 * frame_ms / units for whole, frame_ms in zip((ours, mesa), empty)]
-            out.append(f"| {scene} | {units} | {ours:.0f} | {mesa:.0f} | {less[0]:.0f} | {less[1]:.0f} |")
+        if frame != "steady":
+            continue
+        now = [median(rows, f"{side}_cpu_ms") - less for side, less in zip(("ours", "mesa"), empty)]
+        last_units, last = before.get(scene, (0, [0, 0]))
+        each = [1e6 * ms / units for ms in now]
+        added = [1e6 * (ms - last_ms) / (units - last_units) for ms, last_ms in zip(now, last)]
+        before[scene] = units, now
+        out.append(f"| {scene} | {units} | {each[0]:.0f} | {each[1]:.0f} | {added[0]:.0f} | {added[1]:.0f} |")
     return out
 
 

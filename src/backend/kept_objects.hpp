@@ -92,8 +92,8 @@ class KeptObjects {
             std::span<const std::uint32_t> elements = {}, std::uint32_t base = 0);
 
  private:
-  static constexpr unsigned kHashBits = 12;
-  static constexpr std::size_t kSlotsOfAHash = 4;
+  static constexpr unsigned kHashBits = 11;
+  static constexpr std::size_t kSlotsOfAHash = 16;
   /// After so many objects in a row of which none was met before so many are not looked for.
   static constexpr unsigned kMissedInVain = kSlotsOfAHash << kHashBits, kPause = 4 * kMissedInVain;
   static constexpr std::size_t kMostFloats = std::size_t{4} << 20;  ///< of all objects together
