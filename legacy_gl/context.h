@@ -47,9 +47,10 @@ typedef enum legacy_gl_quality {
   LEGACY_GL_QUALITY_PER_FRAGMENT /**< Phong interpolation: the same equation in every fragment */
 } legacy_gl_quality;
 
-/** Programs are generated for the state they draw. The first use of a state is drawn by a general
- * program, whose colours agree within half a step of 8 bits and whose positions agree to the bit;
- * the specialised one is compiled when the state has drawn enough to be worth it. */
+/** Programs are generated for the state they draw. The first state of all has its own at once. The
+ * first use of any other is drawn by a general program, whose colours agree within half a step of 8
+ * bits and whose positions agree to the bit; the specialised one is compiled when the state has
+ * drawn enough to be worth it. */
 typedef enum legacy_gl_programs {
   LEGACY_GL_PROGRAMS_DEFAULT = 0, /**< LEGACY_GL_PROGRAMS_GENERAL_FIRST */
   LEGACY_GL_PROGRAMS_GENERAL_FIRST,

@@ -59,7 +59,11 @@ ProgramCache::Choice ProgramCache::choose(const ProgramKey& key, std::uint64_t v
   Entry& entry = find(key);
   if (entry.built) return {entry.program, false};
   if (!entry.general && policy_ != LEGACY_GL_PROGRAMS_SPECIALISED) {
-    if (const ProgramKey general = generalise(key); general != key) {
+    const ProgramKey general = generalise(key);
+    // The first state waits less for its own program than for a general one, which it may be the
+    // only one to use.
+    const bool first = !has_lit_program_ && policy_ != LEGACY_GL_PROGRAMS_GENERAL;
+    if (general != key && !first) {
       const GLuint program = find_or_build(general, statistics);
       last_ = nullptr;
       entry.general = program;
@@ -74,6 +78,7 @@ ProgramCache::Choice ProgramCache::choose(const ProgramKey& key, std::uint64_t v
 }
 
 GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statistics) {
+  has_lit_program_ = has_lit_program_ || key.lit;
   const std::string identity = files_.enabled() ? identity_of(key) : std::string();
   GLuint program = files_.enabled() ? load(identity, statistics) : 0;
   if (!program) {

@@ -71,6 +71,7 @@ class ProgramCache {
   std::unordered_map<ProgramKey, Entry, ProgramKeyHash> programs_;
   ProgramKey last_key_;
   Entry* last_ = nullptr;
+  bool has_lit_program_ = false;
   std::uint64_t work_since_last_build_ = 0;
   ProgramFiles files_;
   std::string environment_;  ///< generator, dialect and driver: what stored programs depend on
