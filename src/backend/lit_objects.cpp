@@ -159,6 +159,7 @@ bool Backend::derive_lighting(Context& context, const DrawFacts& facts) {
   return lights_blocks(lighting_.key);
 }
 
+/// The number of all that decides about objects but their matrices and materials.
 std::uint32_t Backend::surroundings(Context& context) {
   apply_raster(context);
   const std::uint32_t changed = take_dirty_bits(context, kKeptObjectsReader);
@@ -249,14 +250,12 @@ const std::vector<std::uint16_t>& Backend::seen_triangles(Context& context,
 
 /// Where the mesh would be kept, if it can be lit here.
 std::optional<KeptObjects::Key> Backend::kept_key(Context& context, const ListMesh& mesh) {
-  if (mesh.triangles.empty() || mesh.layout.fields != kFieldNormal || !may_light(context))
+  constexpr unsigned kDecide = kFieldNormal | kFieldPositionW;
+  if (mesh.triangles.empty() || (mesh.layout.fields & kDecide) != kFieldNormal ||
+      !may_light(context))
     return {};
-  apply_raster(context);
-  const std::uint32_t changed = take_dirty_bits(context, kKeptObjectsReader);
-  context.dirty = 0;  // they are put by
-  return KeptObjects::Key{mesh,
-                          surroundings_.number_of(context, framebuffer_facts(context), changed),
-                          context.transform.modelview.pending_top(), context.lighting.materials};
+  return KeptObjects::Key{mesh, surroundings(context), context.transform.modelview.pending_top(),
+                          context.lighting.materials};
 }
 
 const KeptObjects::Entry* Backend::find_kept(const std::optional<KeptObjects::Key>& key) {
