@@ -109,7 +109,3 @@ def egl(header):
         names = [] if parameters == "void" else [re.search(r"(\w+)$", p).group(1) for p in parameters.split(",")]
         text += f"LEGACY_GL_PASSED({result}, {name}, ({parameters}), ({', '.join(names)}))\n"
     return text
-
-
-def unbuilt(api, built):
-    return "".join(f"gl{name}\n" for name in sorted(api.commands) if name not in built)

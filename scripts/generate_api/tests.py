@@ -1,4 +1,4 @@
-"""What the tests of errors run: tests/gl/error_cases.inc and tests/gl/unbuilt_calls.inc."""
+"""What the tests of errors run: tests/gl/error_cases.inc and tests/gl/calls_inside_begin_end.inc."""
 
 import json
 
@@ -13,48 +13,32 @@ def _lambda(code):
     return f"[]([[maybe_unused]] const GlFunctions& gl) {{ {code.rstrip(';')}; }}"
 
 
-def _error_case(row, error, built):
+def _error_case(row, error):
     for call, setup in chapters.expand(error["call"], error.get("setup", "")):
         name = call[call.index("gl.") + 3:].split("(")[0]
         listed = "true" if row.get("in_lists", True) else "false"
         inside = "true" if row.get("inside_begin_end") is True else "false"
-        is_built = "true" if name in built else "false"
         differs = json.dumps(error["mesa_differs"]) if "mesa_differs" in error else "nullptr"
-        yield (f'{{"gl{name}", {json.dumps(error["when"])}, {json.dumps(call)}, {error["code"]}, {is_built}, {listed}, {inside}, '
+        yield (f'{{"gl{name}", {json.dumps(error["when"])}, {json.dumps(call)}, {error["code"]}, {listed}, {inside}, '
                f'{differs},\n {_lambda(setup)},\n {_lambda(call)}}},\n')
 
 
-def error_cases(chapter_list, built):
+def error_cases(chapter_list):
     text = GENERATED
     for chapter in chapter_list:
         text += f"\n// {chapter.section} {chapter.title}\n"
         for row in chapter.rows:
             for error in row.get("errors", []):
                 if "call" in error:
-                    text += "".join(_error_case(row, error, built))
+                    text += "".join(_error_case(row, error))
     return text
 
 
-def calls_inside_begin_end(chapter_list, built):
+def calls_inside_begin_end(chapter_list):
     text = GENERATED
     for chapter in chapter_list:
         for row in chapter.rows:
             for call, setup in chapters.valid_calls(row):
                 name = call[call.index("gl.") + 3:].split("(")[0]
-                if name not in built:
-                    continue
                 text += f'{{"gl{name}", {json.dumps(call)},\n {_lambda(setup)},\n {_lambda(call)}}},\n'
-    return text
-
-
-def _zero(parameter):
-    return "nullptr" if parameter.type.endswith("*") else "{}"
-
-
-def unbuilt_calls(api, built):
-    text = GENERATED
-    for command in api.commands.values():
-        if command.name not in built:
-            arguments = ", ".join(_zero(p) for p in command.parameters)
-            text += f'{{"gl{command.name}", {_lambda(f"gl.{command.name}({arguments})")}}},\n'
     return text

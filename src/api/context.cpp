@@ -6,7 +6,6 @@
 #include <cstring>
 #include <new>
 
-#include "api/unbuilt.hpp"
 #include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
 #include "immediate/feedback_batch.hpp"
@@ -96,13 +95,6 @@ void report_no_context() {
   if (said) return;
   said = true;
   std::fprintf(stderr, "legacy_gl: a GL function was called without a current context\n");
-}
-
-void report_unbuilt(const char* name) {
-  Context* const context = current_context;
-  if (!context) return report_no_context();
-  diagnose(*context, std::string(name) + " is not built yet");
-  raise_error(*context, GL_INVALID_OPERATION);
 }
 
 void leave_matrices(Context& context) {

@@ -15,7 +15,6 @@ struct ErrorCase {
   const char* when;
   const char* text;  // the call as C++
   GLenum code;
-  bool built;
   bool in_lists;             // a display list holds the entry point
   bool inside_begin_end;     // allowed there, and wrong there as well
   const char* mesa_differs;  // why Mesa gives another code; nullptr: it gives the same
@@ -30,14 +29,8 @@ struct ValidCall {
   Step call;
 };
 
-struct UnbuiltCall {
-  const char* entry_point;
-  Step call;
-};
-
 const std::vector<ErrorCase>& error_cases();
 // Entry points that glBegin/glEnd excludes, in calls that are right outside.
 const std::vector<ValidCall>& calls_inside_begin_end();
-const std::vector<UnbuiltCall>& unbuilt_calls();
 
 }  // namespace legacy_gl::test

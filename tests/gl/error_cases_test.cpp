@@ -1,9 +1,7 @@
 // Errors (GL 2.1 spec 2.5): the code of each, and that nothing else changes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <iomanip>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -36,13 +34,6 @@ MesaContext& mesa() {
   static auto& context = make_shared_context<MesaContext>(kSize, kSize);
   context.recreate();
   return context;
-}
-
-std::vector<ErrorCase> built_error_cases() {
-  std::vector<ErrorCase> built;
-  std::copy_if(error_cases().begin(), error_cases().end(), std::back_inserter(built),
-               [](const ErrorCase& error) { return error.built; });
-  return built;
 }
 
 template <typename Case>
@@ -121,7 +112,7 @@ TEST_P(Errors, InsideBeginEndTooWhereTheCallIsAllowed) {
   EXPECT_EQ(difference(before, take_snapshot(gl)), "") << GetParam().text;
 }
 
-INSTANTIATE_TEST_SUITE_P(EntryPoint, Errors, testing::ValuesIn(built_error_cases()),
+INSTANTIATE_TEST_SUITE_P(EntryPoint, Errors, testing::ValuesIn(error_cases()),
                          test_name<ErrorCase>);
 INSTANTIATE_TEST_SUITE_P(EntryPoint, MesasErrors, testing::ValuesIn(error_cases()),
                          test_name<ErrorCase>);

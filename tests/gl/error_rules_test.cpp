@@ -76,21 +76,8 @@ legacy_gl_options options_with(Diagnostics& diagnostics) {
 
 }  // namespace
 
-TEST(Unbuilt, SaysSoOnceByNameAndIsAnInvalidOperation) {
-  Diagnostics diagnostics;
-  CoreContext context(4, 4, PixelFormat::rgba8, options_with(diagnostics));
-  for (const UnbuiltCall& unbuilt : unbuilt_calls()) {
-    diagnostics.clear();
-    for (int i = 0; i < 2; ++i) {
-      unbuilt.call(context.gl);
-      EXPECT_EQ(context.gl.GetError(), GLenum{GL_INVALID_OPERATION}) << unbuilt.entry_point;
-    }
-    EXPECT_EQ(diagnostics, std::vector{unbuilt.entry_point + std::string(" is not built yet")});
-  }
-}
-
-// Capabilities of OpenGL 1.5 that the core profile has not.
-TEST(Unbuilt, NoCapabilityIs) {
+// Of OpenGL 1.5, among them those that the core profile has not.
+TEST(EntryPoints, EveryCapabilityIsEnabledWithoutAWord) {
   constexpr GLenum kCapabilities[] = {GL_ALPHA_TEST,     GL_FOG,
                                       GL_TEXTURE_1D,     GL_TEXTURE_2D,
                                       GL_TEXTURE_3D,     GL_TEXTURE_CUBE_MAP,
@@ -119,9 +106,7 @@ TEST(Unbuilt, NoCapabilityIs) {
 }
 
 // Both ways to an entry point: no name is missing from the table.
-TEST(Unbuilt, EveryEntryPointHasAnAddress) {
-  for (const UnbuiltCall& unbuilt : unbuilt_calls())
-    EXPECT_NE(legacy_gl_get_proc_address(unbuilt.entry_point), nullptr) << unbuilt.entry_point;
+TEST(EntryPoints, EachHasAnAddress) {
   for (const ErrorCase& error : error_cases())
     EXPECT_NE(legacy_gl_get_proc_address(error.entry_point), nullptr) << error.entry_point;
   EXPECT_EQ(legacy_gl_get_proc_address("glUseProgram"), nullptr);
