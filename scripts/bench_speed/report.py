@@ -85,7 +85,8 @@ def steady_table(scenes, groups, culled):
                 break
             cells.append(ratio(rows))
             if size == 256:
-                verdicts = verdict(median(rows, "cpu_ratio"), scene.goal_steady)
+                is_calls = scene.name.startswith("S9") and scene.goal_steady  # judged without their frame
+                verdicts = f"{scene.goal_steady:g}, see below" if is_calls else verdict(median(rows, "cpu_ratio"), scene.goal_steady)
                 times = f"{median(rows, 'ours_cpu_ms'):.3g} / {median(rows, 'mesa_cpu_ms'):.3g}"
         if not cells:
             continue
