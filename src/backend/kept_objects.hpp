@@ -22,7 +22,6 @@ struct ObjectSurroundings {
   glm::mat4 projection{1};
   RasterState raster;
   FramebufferFacts framebuffer;
-  bool operator==(const ObjectSurroundings&) const = default;
 };
 
 /// Gives each surroundings a number, the same when they return.
