@@ -73,6 +73,14 @@ def driver():
     return f"OSMesa (llvmpipe), Debian's libosmesa6 {package}" if package else "OSMesa (llvmpipe)"
 
 
+EMPTY = "S9e"  # a frame's clear and finish
+
+
+def is_calls(scene):
+    """Calls alone, judged without their frame."""
+    return scene.name.startswith("S9") and scene.name != EMPTY
+
+
 def steady_table(scenes, groups, culled):
     out = ["| scene | what | goal | 256 x 256 | 16 x 16 | without rasteriser | ms, ours / Mesa |",
            "|---|---|---|---|---|---|---|"]
@@ -85,8 +93,8 @@ def steady_table(scenes, groups, culled):
                 break
             cells.append(ratio(rows))
             if size == 256:
-                is_calls = scene.name.startswith("S9") and scene.goal_steady  # judged without their frame
-                verdicts = f"{scene.goal_steady:g}, see below" if is_calls else verdict(median(rows, "cpu_ratio"), scene.goal_steady)
+                verdicts = (f"{scene.goal_steady:g}, see below" if is_calls(scene)
+                            else verdict(median(rows, "cpu_ratio"), scene.goal_steady))
                 times = f"{median(rows, 'ours_cpu_ms'):.3g} / {median(rows, 'mesa_cpu_ms'):.3g}"
         if not cells:
             continue
@@ -106,9 +114,6 @@ def first_table(scenes, groups):
     return out
 
 
-EMPTY = "S9e"  # a frame's clear and finish
-
-
 def empty_frame(groups, viewport):
     rows = [r for key, rows in groups.items() if key[0] == EMPTY and key[2:] == (viewport, "steady") for r in rows]
     return [median(rows, f"{side}_cpu_ms") if rows else 0 for side in ("ours", "mesa")]
@@ -120,7 +125,7 @@ def calls_table(scenes, groups):
     empty = empty_frame(groups, 256)
     for scene in scenes:
         rows = [r for key, rows in groups.items() if key[0] == scene.name and key[2:] == (256, "steady") for r in rows]
-        if rows and scene.name.startswith("S9") and scene.name != EMPTY:
+        if rows and is_calls(scene):
             ours, mesa = (median(rows, f"{side}_cpu_ms") - less for side, less in zip(("ours", "mesa"), empty))
             out.append(f"| {scene.name} | {verdict(ours / mesa, scene.goal_steady)} | {ours / mesa:.2f} | "
                        f"{1e6 * ours:.3g} / {1e6 * mesa:.3g} |")
