@@ -11,6 +11,7 @@
 
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
+#include "support/library.hpp"
 
 namespace legacy_gl::test {
 namespace {
@@ -141,14 +142,10 @@ void frame(const GlFunctions& gl, unsigned seed, float size, bool from_lists = t
 
 class ClosedObjects : public testing::Test {
  protected:
-  ClosedObjects() : mesa(kSize, kSize), ours(kSize, kSize, PixelFormat::rgba8, options()) {
+  ClosedObjects()
+      : mesa(kSize, kSize),
+        ours(kSize, kSize, PixelFormat::rgba8, options_with(LEGACY_GL_PROGRAMS_GENERAL_FIRST)) {
     change(set_up);
-  }
-
-  static legacy_gl_options options() {
-    legacy_gl_options options{};
-    options.programs = LEGACY_GL_PROGRAMS_GENERAL_FIRST;
-    return options;
   }
 
   void change(Change what) {
@@ -169,8 +166,7 @@ class ClosedObjects : public testing::Test {
     frame(ours.gl, seed, size, from_lists);
     EXPECT_TRUE(images_match(ours.read_rgba8(), expected, {.max_difference_steps = 1}, "closed"));
     EXPECT_EQ(ours.gl.GetError(), GLenum{GL_NO_ERROR});
-    legacy_gl_statistics statistics;
-    legacy_gl_get_statistics(&statistics);
+    const legacy_gl_statistics statistics = statistics_now();
     lit = statistics.objects_lit;
     return statistics.triangles_unseen;
   }
@@ -234,8 +230,7 @@ TEST_F(ClosedObjects, WhatChangesIsDrawnAsItIs) {
     EXPECT_TRUE(
         images_match(draw(ours, bend), draw(mesa, bend), {.max_difference_steps = 1}, "changes"));
   ours.make_current();
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
+  const legacy_gl_statistics statistics = statistics_now();
   EXPECT_GT(statistics.triangles_unseen, 200u);
 }
 

@@ -5,21 +5,10 @@
 #include "scene_changes.hpp"
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
+#include "support/library.hpp"
 
 namespace legacy_gl::test {
 namespace {
-
-legacy_gl_options options_with(legacy_gl_programs programs) {
-  legacy_gl_options options{};
-  options.programs = programs;
-  return options;
-}
-
-legacy_gl_statistics statistics_now() {
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
-  return statistics;
-}
 
 struct Picture {
   Image colors;

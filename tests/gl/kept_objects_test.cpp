@@ -11,6 +11,7 @@
 #include "scene_changes.hpp"
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
+#include "support/library.hpp"
 
 namespace legacy_gl::test {
 namespace {
@@ -19,18 +20,6 @@ constexpr int kSize = 64;
 constexpr int kObjects = 40;
 constexpr int kFramesUntilKept = 5;
 enum List : GLuint { kCube = 1, kWedge };
-
-legacy_gl_options general_first() {
-  legacy_gl_options options{};
-  options.programs = LEGACY_GL_PROGRAMS_GENERAL_FIRST;
-  return options;
-}
-
-legacy_gl_statistics statistics() {
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
-  return statistics;
-}
 
 // A strip around a cube whose corners at +z are moved by `bend`.
 void draw_cube(const GlFunctions& gl, float bend) {
@@ -92,7 +81,8 @@ void set_up(const GlFunctions& gl) {
 using Order = std::vector<std::size_t>;
 
 Image drawn_once(const Order& changes) {
-  CoreContext context(kSize, kSize, PixelFormat::rgba8, general_first());
+  CoreContext context(kSize, kSize, PixelFormat::rgba8,
+                      options_with(LEGACY_GL_PROGRAMS_GENERAL_FIRST));
   set_up(context.gl);
   for (const std::size_t i : changes) scene_changes()[i].apply(context.gl);
   draw_frame(context.gl, objects(1));
@@ -107,7 +97,8 @@ TEST(KeptObjects, AnyChangeOfStateIsSeen) {
     Order order(scene_changes().size());
     std::iota(order.begin(), order.end(), 0);
     if (round) std::shuffle(order.begin(), order.end(), random);
-    CoreContext context(kSize, kSize, PixelFormat::rgba8, general_first());
+    CoreContext context(kSize, kSize, PixelFormat::rgba8,
+                        options_with(LEGACY_GL_PROGRAMS_GENERAL_FIRST));
     set_up(context.gl);
     Order so_far;
     for (const std::size_t i : order) {
@@ -129,7 +120,8 @@ TEST(KeptObjects, AnyChangeOfStateIsSeen) {
 class KeptObjectsBesideMesa : public testing::Test {
  protected:
   KeptObjectsBesideMesa()
-      : mesa(kSize, kSize), ours(kSize, kSize, PixelFormat::rgba8, general_first()) {
+      : mesa(kSize, kSize),
+        ours(kSize, kSize, PixelFormat::rgba8, options_with(LEGACY_GL_PROGRAMS_GENERAL_FIRST)) {
     for (RenderContext* context : contexts()) {
       context->make_current();
       set_up(context->gl);
@@ -148,7 +140,7 @@ class KeptObjectsBesideMesa : public testing::Test {
       images[i] = contexts()[i]->read_rgba8();
     }
     EXPECT_TRUE(images_match(images[1], images[0], {.max_difference_steps = 1}, "kept"));
-    return statistics();
+    return statistics_now();
   }
   legacy_gl_statistics frame(const std::vector<Object>& objects) {
     return frame([&objects](const GlFunctions& gl) { draw_frame(gl, objects); });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/contexts.hpp"
+#include "support/library.hpp"
 
 namespace legacy_gl::test {
 namespace {
@@ -34,16 +35,9 @@ class Random {
 };
 
 legacy_gl_options many_lights(legacy_gl_programs programs = LEGACY_GL_PROGRAMS_GENERAL) {
-  legacy_gl_options options{};
+  legacy_gl_options options = options_with(programs);
   options.max_lights = kLights;
-  options.programs = programs;
   return options;
-}
-
-legacy_gl_statistics statistics() {
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
-  return statistics;
 }
 
 struct Vertex {
@@ -165,7 +159,7 @@ Result draw(CoreContext& context, unsigned seed, Way way) {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_objects(gl, random, vertices, way);
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
-  return {context.read_float(), statistics()};
+  return {context.read_float(), statistics_now()};
 }
 
 void expect_unseen(legacy_gl_programs programs, unsigned seeds) {
@@ -212,7 +206,7 @@ TEST(ManyLights, EightAreNotLookedAt) {
   }
   begin_end(gl, patch(random, 1));
   gl.Flush();
-  EXPECT_EQ(statistics().lights_culled, 0u);
+  EXPECT_EQ(statistics_now().lights_culled, 0u);
 }
 
 // How many lights reach an object differs from object to object; the programs are few, and no frame
@@ -235,12 +229,13 @@ TEST(ManyLights, MakeFewPrograms) {
     for (int i = 0; i < 8; ++i) draw_objects(gl, places, vertices, Way::kBeginEnd);
     gl.Flush();
     if (frame == 2) {
-      EXPECT_LE(statistics().programs_compiled, 16u);  // 0, 1, 2, 4, ... 64 lights, in two spaces
+      EXPECT_LE(statistics_now().programs_compiled,
+                16u);  // 0, 1, 2, 4, ... 64 lights, in two spaces
       legacy_gl_reset_statistics();
     }
   }
-  EXPECT_EQ(statistics().programs_compiled, 0u);
-  EXPECT_GT(statistics().lights_culled, 0u);
+  EXPECT_EQ(statistics_now().programs_compiled, 0u);
+  EXPECT_GT(statistics_now().lights_culled, 0u);
 }
 
 }  // namespace

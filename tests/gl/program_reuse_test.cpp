@@ -8,6 +8,7 @@
 
 #include "scene_changes.hpp"
 #include "support/contexts.hpp"
+#include "support/library.hpp"
 
 namespace legacy_gl::test {
 namespace {
@@ -36,12 +37,6 @@ class Directory {
 
   std::string path;
 };
-
-legacy_gl_statistics statistics() {
-  legacy_gl_statistics statistics;
-  legacy_gl_get_statistics(&statistics);
-  return statistics;
-}
 
 // A few programs: lit, two-sided, textured, unlit; points among them.
 std::vector<std::vector<unsigned char>> draw_states(RenderContext& context) {
@@ -80,15 +75,15 @@ void expect_second_run_compiles_nothing() {
   {
     RenderContextType first(64, 64, PixelFormat::rgba8, with_cache(directory));
     first_images = draw_states(first);
-    programs = statistics().programs_compiled;
+    programs = statistics_now().programs_compiled;
     EXPECT_GE(programs, 4u);
-    EXPECT_EQ(statistics().programs_loaded, 0u);
+    EXPECT_EQ(statistics_now().programs_loaded, 0u);
     EXPECT_EQ(directory.files().size(), programs);
   }
   RenderContextType second(64, 64, PixelFormat::rgba8, with_cache(directory));
   EXPECT_EQ(draw_states(second), first_images);
-  EXPECT_EQ(statistics().programs_generated, 0u);
-  EXPECT_EQ(statistics().programs_loaded, programs);
+  EXPECT_EQ(statistics_now().programs_generated, 0u);
+  EXPECT_EQ(statistics_now().programs_loaded, programs);
 }
 
 TEST(ProgramReuse, FromDiskGivesTheSamePicture) {
@@ -107,8 +102,8 @@ TEST(ProgramReuse, DriversDoNotMix) {
   }
   GlesContext es(64, 64, PixelFormat::rgba8, with_cache(directory));
   draw_states(es);
-  EXPECT_EQ(statistics().programs_loaded, 0u);
-  EXPECT_GE(statistics().programs_compiled, 4u);
+  EXPECT_EQ(statistics_now().programs_loaded, 0u);
+  EXPECT_GE(statistics_now().programs_compiled, 4u);
 }
 
 TEST(ProgramReuse, DamagedFilesAreCompiledAnew) {
@@ -134,12 +129,12 @@ TEST(ProgramReuse, DamagedFilesAreCompiledAnew) {
   {
     CoreContext second(64, 64, PixelFormat::rgba8, with_cache(directory));
     EXPECT_EQ(draw_states(second), images);
-    EXPECT_EQ(statistics().programs_loaded, 0u);
-    EXPECT_EQ(statistics().programs_compiled, damaged);
+    EXPECT_EQ(statistics_now().programs_loaded, 0u);
+    EXPECT_EQ(statistics_now().programs_compiled, damaged);
   }
   CoreContext third(64, 64, PixelFormat::rgba8, with_cache(directory));
   EXPECT_EQ(draw_states(third), images);
-  EXPECT_EQ(statistics().programs_loaded, damaged);
+  EXPECT_EQ(statistics_now().programs_loaded, damaged);
 }
 
 TEST(ProgramReuse, ADirectoryThatCannotBeIsNoError) {
@@ -147,7 +142,7 @@ TEST(ProgramReuse, ADirectoryThatCannotBeIsNoError) {
   options.cache_directory = "/dev/null/cache";
   CoreContext context(64, 64, PixelFormat::rgba8, options);
   draw_states(context);
-  EXPECT_GE(statistics().programs_compiled, 4u);
+  EXPECT_GE(statistics_now().programs_compiled, 4u);
 }
 
 // On llvmpipe: lights change the vertex stage alone.
@@ -162,8 +157,8 @@ TEST(ProgramReuse, ProgramsShareTheFragmentStage) {
   gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
   draw_scene(gl);
   gl.Flush();
-  EXPECT_EQ(statistics().programs_compiled, 2u);  // and that of points
-  EXPECT_EQ(statistics().fragment_stages_shared, 2u);
+  EXPECT_EQ(statistics_now().programs_compiled, 2u);  // and that of points
+  EXPECT_EQ(statistics_now().fragment_stages_shared, 2u);
 }
 
 std::string program_keys() {
@@ -186,14 +181,14 @@ void expect_precompiled_run_compiles_nothing(legacy_gl_programs policy) {
   RenderContextType second(64, 64, PixelFormat::rgba8, options);
   const std::size_t ready = legacy_gl_precompile(keys.data(), keys.size());
   EXPECT_GE(ready, 2u);
-  EXPECT_EQ(statistics().programs_compiled, ready);
+  EXPECT_EQ(statistics_now().programs_compiled, ready);
   legacy_gl_reset_statistics();
   draw_states(second);
-  EXPECT_EQ(statistics().programs_generated, 0u);
-  EXPECT_EQ(statistics().programs_compiled, 0u);
+  EXPECT_EQ(statistics_now().programs_generated, 0u);
+  EXPECT_EQ(statistics_now().programs_compiled, 0u);
   EXPECT_EQ(program_keys(), keys);
   EXPECT_EQ(legacy_gl_precompile(keys.data(), keys.size()), ready);
-  EXPECT_EQ(statistics().programs_compiled, 0u);
+  EXPECT_EQ(statistics_now().programs_compiled, 0u);
 }
 
 TEST(ProgramReuse, CompiledAheadNothingIsCompiledLater) {
@@ -224,7 +219,7 @@ TEST(ProgramReuse, ForeignKeysArePassedOver) {
   older[title_end - 2] = older[title_end - 2] == '0' ? '1' : '0';  // of another generator
   EXPECT_EQ(precompile(older), 0u);
   EXPECT_EQ(legacy_gl_precompile(nullptr, 5), 0u);
-  EXPECT_EQ(statistics().programs_generated, 0u);
+  EXPECT_EQ(statistics_now().programs_generated, 0u);
   // A list cut short still has its whole lines.
   EXPECT_GE(precompile(keys.substr(0, keys.size() - 5)), 3u);
 }

@@ -7,6 +7,7 @@
 #include "scene_changes.hpp"
 #include "support/contexts.hpp"
 #include "support/image_matcher.hpp"
+#include "support/library.hpp"
 
 namespace legacy_gl::test {
 namespace {
@@ -141,21 +142,9 @@ void perspective_modelview(const GlFunctions& gl) {
 // otherwise.
 class SmallObjects : public testing::TestWithParam<legacy_gl_programs> {
  protected:
-  SmallObjects() : ours(kSize, kSize, PixelFormat::rgba8, options()) {}
-
-  static legacy_gl_options options() {
-    legacy_gl_options options{};
-    options.programs = GetParam();
-    return options;
-  }
+  SmallObjects() : ours(kSize, kSize, PixelFormat::rgba8, options_with(GetParam())) {}
 
   static bool lights_here() { return GetParam() == LEGACY_GL_PROGRAMS_GENERAL_FIRST; }
-
-  static legacy_gl_statistics statistics_now() {
-    legacy_gl_statistics statistics;
-    legacy_gl_get_statistics(&statistics);
-    return statistics;
-  }
 
   CoreContext ours;
 };
