@@ -2,9 +2,9 @@
 #include <glm/common.hpp>
 #include <new>
 
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/framebuffer.hpp"
+#include "execute/framebuffer.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

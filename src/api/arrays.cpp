@@ -1,6 +1,6 @@
 // GL 2.1 spec 2.8: what the client arrays are. No display list holds these commands (5.4), but for
 // glActiveTexture.
-#include "immediate/client_arrays.hpp"
+#include "state/client_arrays.hpp"
 
 #include <cstdint>
 #include <initializer_list>

@@ -1,6 +1,6 @@
 // GL 2.1 spec 6.1.14: glPushAttrib, glPopAttrib, glPushClientAttrib, glPopClientAttrib.
+#include "context/attribute_stack.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/attribute_stack.hpp"
 
 using namespace legacy_gl;
 

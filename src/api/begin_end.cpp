@@ -1,5 +1,5 @@
 // GL 2.1 spec 2.6: Begin and End.
-#include "immediate/begin_end.hpp"
+#include "execute/begin_end.hpp"
 
 #include "dlist/dispatch.hpp"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
-#include "backend/backend.hpp"
+#include "cpu_pipeline/feedback.hpp"
 #include "dlist/dispatch.hpp"
-#include "immediate/feedback_batch.hpp"
+#include "submit/backend.hpp"
 #include "texture/bitmap_image.hpp"
 
 using namespace legacy_gl;

@@ -1,6 +1,6 @@
 // GL 2.1 spec 2.9: buffer objects. No display list holds them (5.4).
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

@@ -1,16 +1,16 @@
 // The C API of <legacy_gl/context.h>.
-#include "state/context.hpp"
+#include "context/context.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <new>
 
-#include "backend/backend.hpp"
+#include "cpu_pipeline/feedback.hpp"
+#include "cpu_pipeline/selection.hpp"
 #include "dlist/dispatch.hpp"
-#include "immediate/feedback_batch.hpp"
-#include "immediate/select_batch.hpp"
-#include "state/framebuffer.hpp"
+#include "execute/framebuffer.hpp"
+#include "submit/backend.hpp"
 
 namespace legacy_gl {
 

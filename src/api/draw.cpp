@@ -1,10 +1,10 @@
 // GL 2.1 spec 2.8: drawing from client arrays. In a display list they are dereferenced when
 // compiled (5.4).
-#include "backend/array_draw.hpp"
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
-#include "immediate/array_record.hpp"
-#include "immediate/attributes.hpp"
+#include "dlist/list_arrays.hpp"
+#include "execute/attributes.hpp"
+#include "submit/arrays.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

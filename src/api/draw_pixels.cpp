@@ -3,11 +3,11 @@
 #include <new>
 
 #include "api/pixel_buffers.hpp"
-#include "backend/backend.hpp"
-#include "backend/read_pixels.hpp"
+#include "cpu_pipeline/feedback.hpp"
 #include "dlist/dispatch.hpp"
-#include "immediate/feedback_batch.hpp"
-#include "state/framebuffer.hpp"
+#include "driver/read_pixels.hpp"
+#include "execute/framebuffer.hpp"
+#include "submit/backend.hpp"
 #include "texture/pixel_format.hpp"
 #include "texture/recorded_pixels.hpp"
 

@@ -1,10 +1,10 @@
 // glEnable, glDisable, glIsEnabled; errors, flushing, hints.
 #include <utility>
 
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/capabilities.hpp"
-#include "state/framebuffer.hpp"
+#include "execute/capabilities.hpp"
+#include "execute/framebuffer.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

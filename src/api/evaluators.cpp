@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "dlist/dispatch.hpp"
-#include "evaluator/eval_coord.hpp"
+#include "execute/eval_coord.hpp"
 
 using namespace legacy_gl;
 

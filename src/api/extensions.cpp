@@ -3,7 +3,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "backend/driver.hpp"
+#include "driver/driver.hpp"
 
 namespace legacy_gl {
 

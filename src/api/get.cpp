@@ -1,6 +1,6 @@
 // GL 2.1 spec 6.1: glGetBooleanv, glGetIntegerv, glGetFloatv, glGetDoublev.
 #include "dlist/dispatch.hpp"
-#include "state/queries.hpp"
+#include "execute/queries.hpp"
 
 using namespace legacy_gl;
 

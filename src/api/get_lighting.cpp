@@ -2,8 +2,8 @@
 #include <glm/vec3.hpp>
 
 #include "dlist/dispatch.hpp"
-#include "lighting/setters.hpp"
-#include "state/queries.hpp"
+#include "execute/lighting_setters.hpp"
+#include "execute/queries.hpp"
 
 using namespace legacy_gl;
 

@@ -1,11 +1,11 @@
 // GL 2.1 spec 2.14: lights, light model, materials, colour material, shade model.
-#include "lighting/setters.hpp"
+#include "execute/lighting_setters.hpp"
 
 #include <algorithm>
 
 #include "api/scalar_parameters.hpp"
 #include "dlist/dispatch.hpp"
-#include "lighting/set_material_color.hpp"
+#include "execute/set_material_color.hpp"
 
 using namespace legacy_gl;
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "state/context.hpp"
+#include "context/context.hpp"
 
 namespace legacy_gl {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dlist/dispatch.hpp"
-#include "state/queries.hpp"
+#include "execute/queries.hpp"
 
 using namespace legacy_gl;
 

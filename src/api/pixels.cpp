@@ -2,10 +2,10 @@
 #include <new>
 
 #include "api/pixel_buffers.hpp"
-#include "backend/backend.hpp"
-#include "backend/read_pixels.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/framebuffer.hpp"
+#include "driver/read_pixels.hpp"
+#include "execute/framebuffer.hpp"
+#include "submit/backend.hpp"
 #include "texture/pixel_format.hpp"
 
 using namespace legacy_gl;

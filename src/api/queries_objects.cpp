@@ -1,6 +1,6 @@
 // GL 2.1 spec 4.1.7, 6.1.12: occlusion queries. A display list holds their begin and end.
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "api/scalar_parameters.hpp"
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

@@ -1,7 +1,7 @@
 // GL 2.1 spec 6.1.11: glGetString.
 #include "api/extensions.hpp"
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

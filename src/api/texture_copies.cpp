@@ -3,7 +3,7 @@
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/framebuffer.hpp"
+#include "execute/framebuffer.hpp"
 
 using namespace legacy_gl;
 

@@ -3,8 +3,8 @@
 
 #include "api/texture_targets.hpp"
 #include "dlist/dispatch.hpp"
-#include "immediate/normalise.hpp"
-#include "state/queries.hpp"
+#include "execute/queries.hpp"
+#include "record/normalise.hpp"
 
 using namespace legacy_gl;
 

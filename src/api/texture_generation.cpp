@@ -5,7 +5,7 @@
 #include "api/scalar_parameters.hpp"
 #include "api/texture_targets.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/queries.hpp"
+#include "execute/queries.hpp"
 
 using namespace legacy_gl;
 

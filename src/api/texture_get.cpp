@@ -6,7 +6,7 @@
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
-#include "state/queries.hpp"
+#include "execute/queries.hpp"
 #include "texture/compressed_format.hpp"
 #include "texture/pixel_format.hpp"
 

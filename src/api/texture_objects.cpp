@@ -1,7 +1,7 @@
 // GL 2.1 spec 3.8.12: texture objects.
 #include "api/texture_targets.hpp"
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

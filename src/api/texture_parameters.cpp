@@ -4,9 +4,9 @@
 
 #include "api/scalar_parameters.hpp"
 #include "api/texture_targets.hpp"
-#include "backend/backend.hpp"
 #include "dlist/dispatch.hpp"
-#include "immediate/normalise.hpp"
+#include "record/normalise.hpp"
+#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 

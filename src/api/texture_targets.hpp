@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "state/context.hpp"
+#include "context/context.hpp"
 
 namespace legacy_gl {
 

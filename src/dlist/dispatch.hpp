@@ -4,7 +4,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "state/context.hpp"
+#include "context/context.hpp"
 
 namespace legacy_gl {
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <new>
 
-#include "immediate/draw_mesh.hpp"
-#include "immediate/list_mesh.hpp"
+#include "geometry/list_mesh.hpp"
+#include "record/draw_mesh.hpp"
 
 namespace legacy_gl {
 

@@ -5,9 +5,9 @@
 
 #include "dlist/dispatch.hpp"
 #include "dlist/display_list.hpp"
-#include "immediate/attributes.hpp"
-#include "immediate/begin_end.hpp"
-#include "immediate/primitives.hpp"
+#include "execute/attributes.hpp"
+#include "execute/begin_end.hpp"
+#include "geometry/primitives.hpp"
 
 namespace legacy_gl {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "immediate/list_mesh.hpp"
-#include "immediate/vertex_layout.hpp"
+#include "geometry/list_mesh.hpp"
+#include "geometry/vertex_layout.hpp"
 
 namespace legacy_gl {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "state/context.hpp"
+#include "context/context.hpp"
 
 namespace legacy_gl {
 

@@ -1,7 +1,7 @@
 // Every program key gives text that the driver takes, in both dialects.
 #include <gtest/gtest.h>
 
-#include "backend/program_cache.hpp"
+#include "driver/program_cache.hpp"
 #include "shadergen/general.hpp"
 #include "support/contexts.hpp"
 #include "support/random_keys.hpp"

@@ -1,5 +1,5 @@
 // Files of compiled programs: what is not exactly what was stored is not there.
-#include "backend/program_files.hpp"
+#include "driver/program_files.hpp"
 
 #include <gtest/gtest.h>
 

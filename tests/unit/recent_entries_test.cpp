@@ -1,5 +1,5 @@
 // What is remembered of draws stays bounded, in number and in memory.
-#include "backend/recent_entries.hpp"
+#include "software/recent_entries.hpp"
 
 #include <gtest/gtest.h>
 

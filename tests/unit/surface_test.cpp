@@ -1,5 +1,5 @@
 // Which meshes are closed, and which triangles of one may cover a sample.
-#include "immediate/surface.hpp"
+#include "geometry/surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <random>
 #include <set>
 
-#include "immediate/object_surface.hpp"
-#include "immediate/seen_triangles.hpp"
+#include "geometry/object_surface.hpp"
+#include "geometry/visible_triangles.hpp"
 
 namespace legacy_gl {
 namespace {

@@ -1,6 +1,6 @@
 // GL 2.1 spec 3.5.4: which edges and vertices of which polygons become lines and points, in which
 // order.
-#include "immediate/unfilled.hpp"
+#include "geometry/unfilled.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,203 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+#include "geometry/vertex_layout.hpp"
+#include "state/gl_types.hpp"
+
+struct legacy_gl_context;
+
+namespace legacy_gl {
+
+/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`.
+/// An indexed run counts elements() instead, each of which names a vertex of the batch.
+struct PrimitiveRun {
+  GLenum mode = GL_POINTS;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  bool indexed = false;
+  /// Crosses the border of the view: drivers clip all that they draw together with it.
+  bool apart = false;
+};
+
+/// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when
+/// a state changes, when it is large, or when the program asks for pixels.
+class Recorder {
+ public:
+  bool inside_begin_end() const { return activity_ & kInside; }
+  bool has_pending() const { return activity_ & (kRuns | kGoesOn); }
+  bool is_idle() const { return activity_ == 0; }
+
+  void begin(legacy_gl_context& context, GLenum mode);
+  void end(legacy_gl_context& context);
+
+  /// The hot path: the vertex takes the current values.
+  void vertex(legacy_gl_context& context, float x, float y, float z);
+  void vertex(legacy_gl_context& context, float x, float y, float z, float w);
+
+  /// For client arrays: room for `count` vertices, which the caller fills as layout() says. The
+  /// position has a w when `with_w`, or when the batch has one already; so with the texture
+  /// coordinates of units in `wide_texcoords`. Follow with append_run or append_elements.
+  float* append_vertices(legacy_gl_context& context, std::uint32_t count, bool with_w,
+                         std::uint8_t wide_texcoords = 0);
+  /// The last `count` vertices as primitives of `mode`.
+  void append_run(legacy_gl_context& context, GLenum mode, std::uint32_t count);
+  /// Room for `count` elements: vertices of the batch, drawn as primitives of `mode`.
+  std::uint32_t* append_elements(legacy_gl_context& context, GLenum mode, std::uint32_t count);
+
+  /// From here on vertices carry these material properties; those recorded before get the values of
+  /// now.
+  void carry_materials(legacy_gl_context& context, MaterialMask mask);
+
+  /// Objects: what lies between changes of matrix or material. Small ones join one batch, unless
+  /// that was tried and nothing came of it.
+  static constexpr std::uint32_t kSmallObject = 128;
+  /// A new object may join the batch, or begin one that others join.
+  bool joins_objects(const legacy_gl_context& context);
+  /// The pending batch goes on after a change: its last object is small. Otherwise it is to be
+  /// drawn.
+  bool object_may_end() const { return joining_ && vertex_count() - object_first_ <= kSmallObject; }
+  /// `apart`: as PrimitiveRun says.
+  void end_object(bool apart = false);
+  /// Takes back the last vertices, which no primitive names yet.
+  void drop_vertices(std::uint32_t count) { cursor_ -= std::size_t{count} * offsets_.stride; }
+  /// What vertices of the current values hold: a whole vertex, of which the position is not set.
+  void put_template(const legacy_gl_context& context, float* vertex);
+  /// Writing a vertex may touch so many floats behind it.
+  static constexpr std::size_t kSlackFloats = 4;
+  /// Vertices from this one on are not transformed yet, in a batch of kFieldTransformed.
+  std::uint32_t first_untransformed() const { return first_untransformed_; }
+  void set_all_transformed() { first_untransformed_ = vertex_count(); }
+  /// A batch of kFieldLit.
+  bool is_lit() const { return !is_idle() && layout_.fields & kFieldLit; }
+  /// One whose vertices neither matrices nor lights nor materials change any more.
+  bool all_lit() const {
+    return is_lit() && !inside_begin_end() &&
+           recorded_floats() == std::size_t{first_untransformed_} * kLitStride;
+  }
+  static constexpr unsigned kLitStride = 8;  ///< position and colour
+  /// The batch, an empty one or one of positions and normals, becomes one of kFieldLit.
+  void become_lit(legacy_gl_context& context);
+  /// Room for vertices that are lit already; follow with append_elements.
+  float* append_lit(std::uint32_t count);
+  /// What is not transformed yet.
+  struct Object {
+    std::uint32_t first_vertex, vertex_count;
+    const float* vertices;
+    const PrimitiveRun* runs;
+    std::size_t run_count;
+  };
+  Object last_object() const;
+  /// The last object is forgotten.
+  void take_back_object();
+  void add_fields(const legacy_gl_context& context, std::uint16_t fields);
+  float* data() { return storage_.get(); }
+  /// From here on vertices carry the unit's r and q; those recorded before get 0 and 1.
+  void carry_wide_texcoords(legacy_gl_context& context, unsigned unit);
+
+  const VertexLayout& layout() const { return layout_; }
+  const VertexOffsets& offsets() const { return offsets_; }
+  const float* data() const { return storage_.get(); }
+  std::uint32_t vertex_count() const {
+    return static_cast<std::uint32_t>(cursor_ - storage_.get()) /
+           (offsets_.stride ? offsets_.stride : 1);
+  }
+  const std::vector<PrimitiveRun>& runs() const { return runs_; }
+  const std::vector<std::uint32_t>& elements() const { return elements_; }
+
+  /// The current values in `count` vertices of `layout`, behind their positions.
+  static void put_current(const legacy_gl_context& context, const VertexLayout& layout,
+                          float* vertices, std::uint32_t count);
+
+  /// Forgets the vertices that it has, of a batch that goes on: they are drawn, or kept elsewhere
+  /// (RepeatedBatches).
+  void forget_part();
+  /// Vertices of the batch are forgotten, and not all of them are drawn.
+  bool goes_on() const { return activity_ & kGoesOn; }
+  void set_goes_on(bool goes_on) { set_activity(kGoesOn, goes_on); }
+  /// Takes these vertices in place of its own.
+  void load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
+            const PrimitiveRun* runs, std::size_t run_count);
+
+  /// Draws the batch when it has become large.
+  void flush_if_large(legacy_gl_context& context);
+
+  /// Forgets the batch; the storage stays.
+  void clear();
+
+  /// The layout that the present state asks for.
+  static VertexLayout relevant_layout(const legacy_gl_context& context);
+
+ private:
+  void start_batch(legacy_gl_context& context);
+  void reserve(std::uint32_t more_vertices);
+  void widen(const legacy_gl_context& context, const VertexLayout& layout);
+  float* emit(legacy_gl_context& context);
+  std::size_t recorded_floats() const { return static_cast<std::size_t>(cursor_ - storage_.get()); }
+  void close_run(legacy_gl_context& context, GLenum mode, std::uint32_t first);
+  void add_run(legacy_gl_context& context, const PrimitiveRun& run);
+
+  /// The layouts that most programs use; their vertices are stored without a look at the layout.
+  enum class Shape : std::uint8_t {
+    kOther,
+    kNormal,
+    kLit,
+    kColor,
+    kNormalAndColor,
+    kNormalAndTexcoord,
+    kColorAndTexcoord
+  };
+
+  /// What is under way, in one byte that calls look at: inside Begin/End; there are runs; vertices
+  /// of the batch before these are forgotten.
+  enum Activity : std::uint8_t { kInside = 1, kRuns = 2, kGoesOn = 4 };
+  void set_activity(Activity what, bool on) {
+    activity_ = static_cast<std::uint8_t>(on ? activity_ | what : activity_ & ~what);
+  }
+  void runs_changed() { set_activity(kRuns, !runs_.empty()); }
+  void set_layout(const VertexLayout& layout);
+  void vertex_slowly(legacy_gl_context& context, float x, float y, float z);
+  void set_limit();
+  void draw_part(legacy_gl_context& context);
+
+  /// An object begins: what changed since the last draw, if not matrices and materials alone?
+  void note_object(const legacy_gl_context& context);
+  bool worth_trying() const { return skip_ == 0 && alike_ >= kAlike; }
+  float* put_materials(const legacy_gl_context& context, float* at);
+
+  std::uint32_t object_first_ = 0;
+  std::size_t object_run_ = 0;  ///< the object's first of runs_
+  std::uint32_t objects_ = 0;   ///< that ended in this batch
+  std::uint32_t first_untransformed_ = 0;
+  static constexpr std::uint32_t kAlike = 3;  ///< objects in a row before joining is tried
+  std::uint32_t alike_ = 0;  ///< objects that differ in matrices and materials alone
+  bool joining_ = false;
+  bool tried_joining_ = false;
+  std::uint32_t skip_ = 0;  ///< batches that are not to be tried
+  std::uint32_t backoff_ = 0;
+  MaterialMask usual_materials_ = 0;  ///< what the last batch of several objects carried
+  bool materials_cached_ = false;
+  std::array<float, 34> materials_{};  ///< as the vertices carry them
+  float* cursor_ = nullptr;
+  float* limit_ = nullptr;  ///< a vertex fits while the cursor is before it; null outside Begin/End
+  Shape shape_ = Shape::kOther;
+  std::uint8_t activity_ = 0;
+  VertexLayout layout_;
+  VertexOffsets offsets_;
+  GLenum mode_ = GL_POINTS;
+  std::uint32_t first_ = 0;
+  std::unique_ptr<float[]> storage_;
+  std::size_t capacity_floats_ = 0;
+  std::unique_ptr<float[]> spare_;  ///< what the vertices are moved to when they are widened
+  std::size_t spare_floats_ = 0;
+  std::vector<PrimitiveRun> runs_;
+  std::vector<std::uint32_t> elements_;
+};
+
+/// Vertices at the end of a run that complete no primitive are dropped (GL 2.1 spec 2.6.1).
+std::uint32_t whole_primitives(GLenum mode, std::uint32_t count);
+
+}  // namespace legacy_gl

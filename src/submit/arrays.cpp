@@ -1,0 +1,94 @@
+#include "submit/arrays.hpp"
+
+#include <algorithm>
+
+#include "submit/backend.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// Whole elements of `size` bytes, `stride` apart, in `bytes`.
+std::uint32_t elements_in(std::size_t bytes, std::size_t size, std::size_t stride) {
+  if (bytes < size) return 0;
+  return static_cast<std::uint32_t>(std::min<std::size_t>((bytes - size) / stride + 1, UINT32_MAX));
+}
+
+}  // namespace
+
+ReadableArrays::~ReadableArrays() {
+  BufferObjects& buffers = context_.backend->buffers();
+  for (unsigned i = 0; i < mapping_count_; ++i)
+    if (mappings_[i].data) buffers.unmap_after_reading(*buffers.find(mappings_[i].name));
+}
+
+const ReadableArrays::Mapping& ReadableArrays::map(GLuint name) {
+  for (unsigned i = 0; i < mapping_count_; ++i)
+    if (mappings_[i].name == name) return mappings_[i];
+  Mapping& mapping = mappings_[mapping_count_++];
+  mapping.name = name;
+  BufferObjects& buffers = context_.backend->buffers();
+  if (const BufferObject* const buffer = buffers.find(name)) {
+    mapping.data = static_cast<const std::byte*>(buffers.map_for_reading(*buffer));
+    mapping.size = mapping.data ? static_cast<std::size_t>(buffer->size) : 0;
+  }
+  return mapping;
+}
+
+const ArrayViews& ReadableArrays::views() {
+  static constexpr std::byte kNothing{};
+  for (unsigned i = 0; i < kArrayCount; ++i) {
+    const ClientArray& array = context_.arrays.arrays[i];
+    if (!array.enabled) continue;
+    if (array.buffer_deleted || !array.buffer) {
+      if (!array.buffer_deleted)
+        views_[i] = make_view(array, static_cast<const std::byte*>(array.pointer));
+      continue;
+    }
+    const Mapping& mapping = map(array.buffer);
+    const std::size_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
+    const bool inside = mapping.data && offset < mapping.size;
+    ArrayView& view = views_[i] = make_view(array, inside ? mapping.data + offset : &kNothing);
+    view.readable = elements_in(inside ? mapping.size - offset : 0,
+                                std::size_t{view.size} * type_size(view.type), view.stride);
+  }
+  return views_;
+}
+
+ElementView ReadableArrays::elements(const ArrayDraw& draw) {
+  const GLenum type = draw.element_type;
+  const GLuint name = context_.arrays.element_buffer;
+  if (!name)
+    return {static_cast<const std::byte*>(draw.elements), type, draw.elements ? draw.count : 0};
+  const Mapping& mapping = map(name);
+  const std::size_t offset = reinterpret_cast<std::uintptr_t>(draw.elements);
+  if (!mapping.data || offset >= mapping.size) return {nullptr, type, 0};
+  const unsigned size = type_size(type);
+  return {mapping.data + offset, type,
+          std::min(draw.count, elements_in(mapping.size - offset, size, size))};
+}
+
+bool draws_from_mapped_buffer(Context& context, bool elements) {
+  BufferObjects& buffers = context.backend->buffers();
+  const auto is_mapped = [&buffers](GLuint name) {
+    const BufferObject* const buffer = name ? buffers.find(name) : nullptr;
+    return buffer && buffer->mapped;
+  };
+  for (const ClientArray& array : context.arrays.arrays)
+    if (array.enabled && is_mapped(array.buffer)) return true;
+  return elements && is_mapped(context.arrays.element_buffer);
+}
+
+void draw_arrays(Context& context, const ArrayDraw& draw) {
+  if (!context.arrays.arrays[kVertexArray].enabled) return;
+  Backend& backend = *context.backend;
+  if (context.selection.is_rendering() &&
+      (backend.draw_from_buffers(context, draw) || backend.draw_streamed(context, draw)))
+    return;
+  ReadableArrays readable(context);
+  if (draw.is_indexed())
+    submit_elements(context, readable.views(), draw.mode, readable.elements(draw));
+  else submit_arrays(context, readable.views(), draw.mode, draw.first, draw.count);
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,168 @@
+// Client arrays that lie in buffer objects in a form that the core profile takes: drawn from where
+// they are.
+#include <optional>
+
+#include "geometry/primitives.hpp"
+#include "geometry/tiny_normals.hpp"
+#include "shadergen/attributes.hpp"
+#include "submit/arrays.hpp"
+#include "submit/backend.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// An array that the state may make relevant, and where the programs expect it.
+struct Source {
+  unsigned array;
+  unsigned location;
+};
+
+/// The arrays that `layout` asks for, the positions first.
+template <typename Visit>
+void for_each_source(const VertexLayout& layout, Visit visit) {
+  visit(Source{kVertexArray, kLocationPosition});
+  if (layout.fields & kFieldNormal) visit(Source{kNormalArray, kLocationNormal});
+  if (layout.fields & kFieldColor) visit(Source{kColorArray, kLocationColor});
+  if (layout.fields & kFieldSecondaryColor)
+    visit(Source{kSecondaryColorArray, kLocationSecondaryColor});
+  if (layout.fields & kFieldFogCoord) visit(Source{kFogCoordArray, kLocationFogCoord});
+  if (layout.texcoords)
+    for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+      if (layout.texcoords & 1u << unit)
+        visit(Source{kTexCoordArray + unit, texcoord_location(unit)});
+}
+
+glm::vec4 current_value(const Context& context, unsigned array) {
+  switch (array) {
+    case kNormalArray: return glm::vec4(current_normal_to_draw(context), 0);
+    case kSecondaryColorArray: return context.current.secondary_color;
+    case kFogCoordArray: return glm::vec4(context.current.fog_coordinate, 0, 0, 1);
+    case kColorArray: return context.current.color;
+    default: return context.current.texture_coordinates[array - kTexCoordArray];
+  }
+}
+
+/// What the driver would fetch is what the specification of OpenGL 1.5 says. Drivers differ in how
+/// they normalise signed integers: (2c + 1) / (2^b - 1) of GL 2.1 table 2.9, or the later c /
+/// (2^(b-1) - 1).
+bool driver_fetches(const Driver& driver, unsigned array, GLenum type) {
+  switch (type) {
+    case GL_BYTE:
+    case GL_SHORT:
+    case GL_INT: return !is_normalised(array);
+    case GL_DOUBLE: return !driver.is_es();
+    default: return true;
+  }
+}
+
+/// The attributes of the arrays that matter; nothing when one of them cannot be drawn from where it
+/// is.
+std::optional<BufferAttributes> find_attributes(Context& context, const VertexLayout& layout,
+                                                const ArrayDraw& draw) {
+  BufferAttributes found;
+  bool drawable = true;
+  for_each_source(layout, [&](const Source& source) {
+    const ClientArray& array = context.arrays.arrays[source.array];
+    if (!array.enabled || !drawable) return;
+    const BufferObject* const buffer = context.backend->buffers().find(array.buffer);
+    drawable = buffer && driver_fetches(context.backend->driver, source.array, array.type);
+    if (!drawable) return;
+    const ArrayView view = make_view(array, nullptr);
+    const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
+    const std::uint64_t end = offset + (std::uint64_t{draw.first} + draw.count - 1) * view.stride +
+                              std::uint64_t{view.size} * type_size(view.type);
+    // What a draw reads past the end is the driver's business, and not every driver's is harmless.
+    drawable = draw.is_indexed() || end <= static_cast<std::uint64_t>(buffer->size);
+    if (!drawable) return;
+    found.add({source.location, buffer->driver_name, array.size, array.type, array.stride,
+               is_normalised(source.array), array.pointer});
+  });
+  if (!drawable) return {};
+  return found;
+}
+
+}  // namespace
+
+void Backend::delete_buffer(GLuint name) {
+  if (const BufferObject* const buffer = buffers_.find(name)) {
+    buffer_arrays_.forget(buffer->driver_name);
+    bound_array_ = 0;
+  }
+  buffers_.remove(name);
+}
+
+void Backend::set_constant_attributes(const Context& context, const VertexLayout& layout) {
+  for_each_source(layout, [&](const Source& source) {
+    if (source.array == kVertexArray || context.arrays.arrays[source.array].enabled) return;
+    const glm::vec4 value = current_value(context, source.array);
+    driver.VertexAttrib4fv(source.location, &value[0]);
+  });
+}
+
+const void* Backend::write_indices(Context& context, const void* indices, std::size_t size) {
+  if (size == 0) return nullptr;
+  context.statistics.index_bytes_uploaded += size;
+  return reinterpret_cast<const void*>(indices_.write(indices, size, sizeof(std::uint32_t)));
+}
+
+bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
+  const ClientArray& positions = context.arrays.arrays[kVertexArray];
+  // The primitives themselves are needed.
+  if (is_unfilled(context.raster.polygon) || (is_line(draw.mode) && replaces_lines(context)))
+    return false;
+  VertexLayout layout = Recorder::relevant_layout(context);
+  if (positions.size == 4) layout.fields |= kFieldPositionW;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {
+    const ClientArray& array = context.arrays.arrays[kTexCoordArray + unit];
+    if (!(layout.texcoords & 1u << unit) || !array.enabled) continue;
+    const auto bit = static_cast<std::uint8_t>(1u << unit);
+    layout.wide_texcoords &= static_cast<std::uint8_t>(~bit);
+    if (array.size > 2) layout.wide_texcoords |= bit;
+  }
+  std::optional<BufferAttributes> attributes = find_attributes(context, layout, draw);
+  if (!attributes) return false;
+
+  const bool native = draws_without_indices(draw.mode);
+  const BufferObject* const elements =
+      draw.is_indexed() ? buffers_.find(context.arrays.element_buffer) : nullptr;
+  if (draw.is_indexed() && !elements && !draw.elements) return true;
+  if (elements && reinterpret_cast<std::uintptr_t>(draw.elements) +
+                          std::uint64_t{draw.count} * type_size(draw.element_type) >
+                      static_cast<std::uint64_t>(elements->size))
+    return false;
+  flush_pending(context);
+  prepare(context, layout);
+  if (!use_program(context, draw.mode, draw.count)) return true;
+  attributes->index_buffer = elements && native ? elements->driver_name : indices_.name();
+  bind_vertex_array(buffer_arrays_.find_or_build(*attributes));
+  set_constant_attributes(context, layout);
+
+  GLsizei count = static_cast<GLsizei>(draw.count);
+  GLenum type = draw.element_type;
+  const void* offset = draw.elements;
+  if (!native) {
+    ReadableArrays readable(context);
+    element_scratch_.clear();
+    if (draw.is_indexed()) read_elements(readable.elements(draw), element_scratch_);
+    const auto available =
+        draw.is_indexed() ? static_cast<std::uint32_t>(element_scratch_.size()) : draw.count;
+    index_scratch_.clear();
+    append_indices({draw.mode, draw.first, available, draw.is_indexed()}, element_scratch_, 0,
+                   derived_.key.flat, index_scratch_);
+    count = static_cast<GLsizei>(index_scratch_.size());
+    type = GL_UNSIGNED_INT;
+    offset = write_indices(context, index_scratch_.data(),
+                           index_scratch_.size() * sizeof(std::uint32_t));
+  } else if (draw.is_indexed() && !elements) {
+    offset = write_indices(context, draw.elements, draw.count * std::size_t{type_size(type)});
+  }
+  if (draw.is_indexed() || !native) driver.DrawElements(core_mode(draw.mode), count, type, offset);
+  else driver.DrawArrays(draw.mode, static_cast<GLint>(draw.first), count);
+  ++context.statistics.draws;
+  ++context.statistics.batches;
+  context.statistics.vertices += draw.count;
+  return true;
+}
+
+}  // namespace legacy_gl

@@ -1,0 +1,102 @@
+// Meshes of display lists, drawn from the buffers that keep them.
+#include <algorithm>
+
+#include "geometry/clip_test.hpp"
+#include "geometry/tiny_normals.hpp"
+#include "record/draw_mesh.hpp"
+#include "shadergen/attributes.hpp"
+#include "submit/backend.hpp"
+
+namespace legacy_gl {
+
+namespace {
+
+/// The box around the mesh is beyond a clip plane.
+bool is_outside(const ListMesh& mesh, const glm::mat4& modelview_projection) {
+  std::array<float, 24> corners;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    for (unsigned axis = 0; axis < 3; ++axis)
+      corners[3 * corner + axis] =
+          (corner >> axis & 1 ? mesh.highest : mesh.lowest)[static_cast<int>(axis)];
+  return all_beyond_one_plane(modelview_projection, corners.data(), 8, 3, false);
+}
+
+}  // namespace
+
+void draw_kept_mesh(Context& context, const ListMesh& mesh) {
+  const auto has_lines = [&mesh] {
+    return std::any_of(mesh.runs.begin(), mesh.runs.end(),
+                       [](const PrimitiveRun& run) { return is_line(run.mode); });
+  };
+  if ((context.backend->replaces_lines(context) && has_lines()) ||
+      (mesh.tiny_normals && context.transform.normalize_enabled))
+    return record_mesh(context, mesh);
+  if (context.backend->join_mesh(context, mesh)) return;
+  flush_pending(context);
+  context.backend->draw_mesh(context, mesh);
+}
+
+void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
+  VertexLayout wanted = Recorder::relevant_layout(context);
+  const unsigned kept = wanted.texcoords & mesh.layout.texcoords;
+  wanted.wide_texcoords = static_cast<std::uint8_t>((wanted.wide_texcoords & ~kept) |
+                                                    (mesh.layout.wide_texcoords & kept));
+  DrawFacts facts;
+  facts.unit_normals = mesh.unit_normals;
+  const bool bounded = looks_at_reach(context);
+  const DrawBounds bounds = bounded ? bounds_of(context, mesh) : DrawBounds{};
+  if (bounded) facts.bounds = &bounds;
+  derive(context, wanted, facts);
+  if (is_outside(mesh, derived_.transform.modelview_projection)) {
+    ++context.statistics.primitives_clipped;
+    return;
+  }
+  apply_derived(context);
+  bool uploaded = false;
+  MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
+  if (uploaded) {
+    bound_array_ = buffers.array;  // building it has bound it
+    context.statistics.vertex_bytes_uploaded += mesh.vertices.size() * sizeof(float);
+    context.statistics.index_bytes_uploaded += mesh.indices.size() * sizeof(std::uint32_t);
+    context.statistics.list_vertices_welded += mesh.welded;
+  }
+  // What the list does not say is the current value when it is called.
+  const auto missing = static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields);
+  const CurrentValues& current = context.current;
+  if (missing & kFieldNormal) {
+    const glm::vec4 normal(current_normal_to_draw(context), 1);
+    driver.VertexAttrib4fv(kLocationNormal, &normal[0]);
+  }
+  if (missing & kFieldColor) driver.VertexAttrib4fv(kLocationColor, &current.color[0]);
+  if (missing & kFieldSecondaryColor)
+    driver.VertexAttrib4fv(kLocationSecondaryColor, &current.secondary_color[0]);
+  if (missing & kFieldFogCoord) {
+    const glm::vec4 coordinate(current.fog_coordinate, 0, 0, 1);
+    driver.VertexAttrib4fv(kLocationFogCoord, &coordinate[0]);
+  }
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    if (wanted.texcoords & ~kept & 1u << unit)
+      driver.VertexAttrib4fv(texcoord_location(unit), &current.texture_coordinates[unit][0]);
+
+  context.statistics.vertices += mesh.vertex_count();
+  ++context.statistics.batches;
+  if (draw_surface(context, mesh, buffers)) return;
+  bind_vertex_array(buffers.array);
+  for (const ListMesh::Draw& draw : mesh.draws) {
+    if (!use_program(context, draw.mode, mesh.vertex_count())) continue;
+    const auto count = static_cast<GLsizei>(draw.count);
+    ++context.statistics.draws;
+    if (draw.indexed) {
+      driver.DrawElements(draw.mode, count, GL_UNSIGNED_INT,
+                          reinterpret_cast<const void*>(draw.first * sizeof(std::uint32_t)));
+    } else if (count > 1 && driver.MultiDrawArrays) {
+      driver.MultiDrawArrays(draw.mode, &mesh.firsts[draw.first], &mesh.counts[draw.first], count);
+    } else {
+      for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i)
+        driver.DrawArrays(draw.mode, mesh.firsts[i], mesh.counts[i]);
+      context.statistics.draws += draw.count - 1;
+    }
+  }
+}
+
+}  // namespace legacy_gl
