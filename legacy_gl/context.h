@@ -34,7 +34,6 @@ typedef enum legacy_gl_status {
   LEGACY_GL_NO_DRIVER_CONTEXT, /**< the driver answers no version: no context is current */
   LEGACY_GL_DRIVER_TOO_OLD,    /**< below GL 3.3 and below GLES 3.0 */
   LEGACY_GL_MISSING_FUNCTION,  /**< the loader has no address for a function that is needed */
-  LEGACY_GL_SHADER_FAILURE,    /**< the driver refused a generated program */
   LEGACY_GL_CURRENT_ELSEWHERE, /**< the context is current in another thread */
   LEGACY_GL_OUT_OF_MEMORY
 } legacy_gl_status;

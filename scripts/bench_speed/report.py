@@ -198,10 +198,8 @@ def main():
             "Programs are compiled in it; the driver's cache on disk is off.", "", *first_table(scenes, groups), "",
             *lights_lines(results),
             "## Calls without their frame", "", "S9 less S9e.", "", *calls_table(scenes, groups), "",
-            "## Growth", "", *growth_table(growth, groups), ""]
-    notes = docs / "performance_notes.md"
-    if notes.exists():
-        text += [notes.read_text().rstrip(), ""]
+            "## Growth", "", *growth_table(growth, groups), "",
+            "What these figures say: [performance_notes.md](performance_notes.md).", ""]
     (docs / "performance.md").write_text("\n".join(text))
 
 

@@ -233,7 +233,6 @@ const char* legacy_gl_status_string(legacy_gl_status status) {
     case LEGACY_GL_NO_DRIVER_CONTEXT: return "no driver context is current";
     case LEGACY_GL_DRIVER_TOO_OLD: return "the driver is too old";
     case LEGACY_GL_MISSING_FUNCTION: return "the driver misses a function";
-    case LEGACY_GL_SHADER_FAILURE: return "the driver refused a generated program";
     case LEGACY_GL_CURRENT_ELSEWHERE: return "the context is current in another thread";
     case LEGACY_GL_OUT_OF_MEMORY: return "out of memory";
   }
