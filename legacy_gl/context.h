@@ -15,6 +15,7 @@
 #define LEGACY_GL_CONTEXT_H
 
 #include <legacy_gl/export.h>
+#include <legacy_gl/version.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -114,6 +115,9 @@ typedef struct legacy_gl_statistics {
   uint64_t objects_lit;  /**< small objects that were lit on the CPU, to share draws with others */
   uint64_t objects_kept; /**< of them, those that came to what they had come to before */
 } legacy_gl_statistics;
+
+/** LEGACY_GL_VERSION of the library that is linked, which may be newer than these headers. */
+LEGACY_GL_API int legacy_gl_version(void);
 
 /** Creates a context over the driver's current context. NULL options: defaults. On failure returns
  * NULL and, when `status` is not NULL, says why there; legacy_gl_status_detail() names the function

@@ -151,6 +151,8 @@ legacy_gl_context::~legacy_gl_context() = default;
 
 using namespace legacy_gl;
 
+int legacy_gl_version(void) { return LEGACY_GL_VERSION; }
+
 legacy_gl_context* legacy_gl_create_context(legacy_gl_loader loader,
                                             const legacy_gl_options* options,
                                             legacy_gl_status* status) {

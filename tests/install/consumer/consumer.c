@@ -1,13 +1,14 @@
 #include <legacy_gl/context.h>
 
 #include "lit_triangle.h"
+#include "version.h"
 
 int main(void) {
   OSMesaContext driver = make_driver_context();
   legacy_gl_status status = LEGACY_GL_OK;
   legacy_gl_context* context;
   int right = 0;
-  if (!driver) return EXIT_FAILURE;
+  if (!driver || !versions_agree()) return EXIT_FAILURE;
 
   context = legacy_gl_create_context((legacy_gl_loader)OSMesaGetProcAddress, NULL, &status);
   if (context && (status = legacy_gl_make_current(context)) == LEGACY_GL_OK) {

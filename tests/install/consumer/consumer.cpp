@@ -2,10 +2,11 @@
 #include <legacy_gl/context.hpp>
 
 #include "lit_triangle.h"
+#include "version.h"
 
 int main() {
   OSMesaContext driver = make_driver_context();
-  if (!driver) return EXIT_FAILURE;
+  if (!driver || !versions_agree()) return EXIT_FAILURE;
   bool right = false;
   try {
     legacy_gl::OwnedContext context(reinterpret_cast<legacy_gl_loader>(OSMesaGetProcAddress));

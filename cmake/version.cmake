@@ -1,0 +1,12 @@
+# LEGACY_GL_HEADER_VERSION: what legacy_gl/version.h says, the one place where the version is written.
+set(version_header ${CMAKE_CURRENT_SOURCE_DIR}/legacy_gl/version.h)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${version_header})
+set(LEGACY_GL_HEADER_VERSION "")
+foreach(part IN ITEMS MAJOR MINOR PATCH)
+  file(STRINGS ${version_header} line REGEX "^#define LEGACY_GL_VERSION_${part} [0-9]+$")
+  if(NOT line MATCHES "([0-9]+)$")
+    message(FATAL_ERROR "${version_header} has no LEGACY_GL_VERSION_${part}")
+  endif()
+  list(APPEND LEGACY_GL_HEADER_VERSION ${CMAKE_MATCH_1})
+endforeach()
+list(JOIN LEGACY_GL_HEADER_VERSION "." LEGACY_GL_HEADER_VERSION)
