@@ -36,6 +36,7 @@ typedef enum legacy_gl_status {
   LEGACY_GL_DRIVER_TOO_OLD,    /**< below GL 3.3 and below GLES 3.0 */
   LEGACY_GL_MISSING_FUNCTION,  /**< the loader has no address for a function that is needed */
   LEGACY_GL_CURRENT_ELSEWHERE, /**< the context is current in another thread */
+  LEGACY_GL_NO_CURRENT,        /**< no context of this library is current in this thread */
   LEGACY_GL_OUT_OF_MEMORY
 } legacy_gl_status;
 
@@ -62,20 +63,45 @@ typedef enum legacy_gl_programs {
  * valid during the call. */
 typedef void (*legacy_gl_diagnostic)(const char* message, void* user);
 
-/** Every field's zero means its default. */
+/* The structs below begin with their size, so that a program and a library of different versions
+ * understand each other. In C initialise them with LEGACY_GL_..._INIT; in C++11 and later they
+ * initialise their size themselves (`legacy_gl_options options{};`). */
+#if defined(__cplusplus) && __cplusplus >= 201103L
+#define LEGACY_GL_OWN_SIZE(type) = sizeof(type)
+#define LEGACY_GL_OPTIONS_INIT \
+  {}
+#define LEGACY_GL_STATISTICS_INIT \
+  {}
+#elif defined(__cplusplus)
+#define LEGACY_GL_OWN_SIZE(type)
+#define LEGACY_GL_OPTIONS_INIT \
+  { sizeof(legacy_gl_options) }
+#define LEGACY_GL_STATISTICS_INIT \
+  { sizeof(legacy_gl_statistics) }
+#else
+#define LEGACY_GL_OWN_SIZE(type)
+#define LEGACY_GL_OPTIONS_INIT \
+  { .size = sizeof(legacy_gl_options) }
+#define LEGACY_GL_STATISTICS_INIT \
+  { .size = sizeof(legacy_gl_statistics) }
+#endif
+
+/** Every other field's zero means its default. A library that is older than the program refuses
+ * fields that it does not know, unless they are 0. */
 typedef struct legacy_gl_options {
-  unsigned max_lights; /**< GL_MAX_LIGHTS: 8 to 256; 0: 8 */
+  size_t size LEGACY_GL_OWN_SIZE(legacy_gl_options); /**< set by LEGACY_GL_OPTIONS_INIT */
+  unsigned max_lights;                               /**< GL_MAX_LIGHTS: 8 to 256; 0: 8 */
   legacy_gl_quality quality;
   legacy_gl_diagnostic diagnostic; /**< NULL: stderr */
   void* diagnostic_user;
-  legacy_gl_programs programs;
   legacy_gl_context* share; /**< display lists and textures are shared with this context, textures
                               as far as the two driver contexts share objects; NULL: with none */
   /** Where compiled programs are kept for the next run; NULL: nowhere. Made if it is missing. A
    * file there that is damaged, of another driver or of another version is ignored. The text is
    * copied. */
   const char* cache_directory;
-  size_t cache_bytes;        /**< what all files there may take, the oldest go first; 0: 32 MiB */
+  size_t cache_bytes; /**< what all files there may take, the oldest go first; 0: 32 MiB */
+  legacy_gl_programs programs;
   int accumulation_buffer;   /**< 1: the context has an accumulation buffer for glAccum */
   int keep_unseen_triangles; /**< 1: triangles that nothing shows are handed to the driver too, as
                                 for its own statistics; 0: llvmpipe is spared them */
@@ -86,6 +112,7 @@ typedef struct legacy_gl_options {
 
 /** Counters since creation or the last reset. Sizes in bytes. */
 typedef struct legacy_gl_statistics {
+  size_t size LEGACY_GL_OWN_SIZE(legacy_gl_statistics); /**< set by LEGACY_GL_STATISTICS_INIT */
   uint64_t programs_generated;     /**< program variants turned into GLSL text */
   uint64_t programs_compiled;      /**< programs compiled and linked by the driver */
   uint64_t fragment_stages_shared; /**< programs with the fragment stage of an earlier one */
@@ -149,7 +176,9 @@ LEGACY_GL_API void legacy_gl_flush(void);
  * GL itself. */
 LEGACY_GL_API void legacy_gl_reset_driver_state(void);
 
-LEGACY_GL_API void legacy_gl_get_statistics(legacy_gl_statistics* statistics);
+/** Fills the counters of the current context, of those that fit in `statistics->size` bytes. What
+ * the library does not know stays as it is. */
+LEGACY_GL_API legacy_gl_status legacy_gl_get_statistics(legacy_gl_statistics* statistics);
 LEGACY_GL_API void legacy_gl_reset_statistics(void);
 
 /** The program key in words, the vertex shader and the fragment shader of the program that the

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <new>
 
+#include "api/sized_structs.hpp"
 #include "cpu_pipeline/feedback.hpp"
 #include "cpu_pipeline/selection.hpp"
 #include "dlist/dispatch.hpp"
@@ -159,7 +160,10 @@ legacy_gl_context* legacy_gl_create_context(legacy_gl_loader loader,
   std::unique_ptr<Context> context;
   legacy_gl_status result = LEGACY_GL_OK;
   try {
-    result = create(loader, options ? *options : legacy_gl_options{}, context);
+    legacy_gl_options known;
+    const std::string wrong = read_options(options, known);
+    result =
+        wrong.empty() ? create(loader, known, context) : fail(LEGACY_GL_INVALID_ARGUMENT, wrong);
   } catch (const std::bad_alloc&) {
     result = LEGACY_GL_OUT_OF_MEMORY;
   }
@@ -203,8 +207,10 @@ void legacy_gl_reset_driver_state(void) {
   current_context->dirty |= kDirtyRaster;
 }
 
-void legacy_gl_get_statistics(legacy_gl_statistics* statistics) {
-  if (current_context && statistics) *statistics = current_context->statistics;
+legacy_gl_status legacy_gl_get_statistics(legacy_gl_statistics* statistics) {
+  if (!current_context) return fail(LEGACY_GL_NO_CURRENT, "legacy_gl_make_current was not called");
+  const std::string wrong = write_statistics(current_context->statistics, statistics);
+  return wrong.empty() ? LEGACY_GL_OK : fail(LEGACY_GL_INVALID_ARGUMENT, wrong);
 }
 
 void legacy_gl_reset_statistics(void) {
@@ -236,6 +242,7 @@ const char* legacy_gl_status_string(legacy_gl_status status) {
     case LEGACY_GL_DRIVER_TOO_OLD: return "the driver is too old";
     case LEGACY_GL_MISSING_FUNCTION: return "the driver misses a function";
     case LEGACY_GL_CURRENT_ELSEWHERE: return "the context is current in another thread";
+    case LEGACY_GL_NO_CURRENT: return "no context is current in this thread";
     case LEGACY_GL_OUT_OF_MEMORY: return "out of memory";
   }
   return "unknown status";

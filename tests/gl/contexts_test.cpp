@@ -81,6 +81,29 @@ TEST_F(ContextCreation, RefusesANumberOfLightsOutOfRange) {
   }
 }
 
+TEST_F(ContextCreation, RefusesOptionsWithoutASize) {
+  legacy_gl_options options{};
+  options.size = 0;
+  expect_refused(CoreContext::driver_proc, LEGACY_GL_INVALID_ARGUMENT, "LEGACY_GL_OPTIONS_INIT",
+                 &options);
+}
+
+TEST_F(ContextCreation, TakesOptionsOfAnOlderProgram) {
+  struct {
+    std::size_t size = sizeof(std::size_t) + sizeof(unsigned);
+    unsigned max_lights = 16;
+  } older;
+  legacy_gl_status status = LEGACY_GL_OK;
+  legacy_gl_context* context = legacy_gl_create_context(
+      CoreContext::driver_proc, reinterpret_cast<const legacy_gl_options*>(&older), &status);
+  ASSERT_NE(context, nullptr) << legacy_gl_status_detail();
+  legacy_gl_make_current(context);
+  GLint lights = 0;
+  lglGetIntegerv(GL_MAX_LIGHTS, &lights);
+  EXPECT_EQ(lights, 16);
+  legacy_gl_destroy_context(context);
+}
+
 TEST_F(ContextCreation, TwoHundredFiftySixLightsWork) {
   legacy_gl_options options{};
   options.max_lights = 256;
@@ -138,6 +161,20 @@ TEST(Contexts, OneIsCurrentInOneThread) {
     EXPECT_EQ(legacy_gl_get_current(), nullptr);
     EXPECT_EQ(legacy_gl_make_current(context.handle()), LEGACY_GL_CURRENT_ELSEWHERE);
   }).join();
+}
+
+TEST(Contexts, StatisticsFillWhatTheProgramKnows) {
+  legacy_gl_statistics statistics{};
+  EXPECT_EQ(legacy_gl_get_statistics(&statistics), LEGACY_GL_NO_CURRENT);
+  CoreContext context(16, 16);
+  context.gl.Rectf(-1, -1, 1, 1);
+  legacy_gl_flush();
+  statistics.size = offsetof(legacy_gl_statistics, vertices);
+  EXPECT_EQ(legacy_gl_get_statistics(&statistics), LEGACY_GL_OK);
+  EXPECT_EQ(statistics.draws, 1u);
+  EXPECT_EQ(statistics.vertices, 0u);
+  statistics.size = 0;
+  EXPECT_EQ(legacy_gl_get_statistics(&statistics), LEGACY_GL_INVALID_ARGUMENT);
 }
 
 TEST(Contexts, ThreadsDrawSideBySide) {
