@@ -108,6 +108,10 @@ typedef struct legacy_gl_options {
   int scalars_for_vectors;   /**< 1: glMaterialf and its like, called with a name of several values,
                                 set the first and the others to 0, as Mesa does and the drop-in
                                 lets its programs; 0: GL_INVALID_ENUM, as the specification says */
+  /** What is to be believed of the driver against what is found, e.g. "-rasterises_on_cpu" or
+   * "generic": docs/driver_traits.md lists the names, a minus turns one off. The environment
+   * variable LEGACY_GL_DRIVER_TRAITS wins. NULL: what is found. The text is read at once. */
+  const char* driver_traits;
 } legacy_gl_options;
 
 /** Counters since creation or the last reset. Sizes in bytes. */

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -41,6 +42,17 @@ std::size_t give(const std::string& whole, char* text, std::size_t size) {
   return whole.size();
 }
 
+/// The driver's traits under the overrides of the options and, which win, of the environment.
+DriverTraits chosen_traits(Context& context, const Driver& driver, const char* overrides) {
+  std::string chosen = overrides ? overrides : "";
+  if (const char* const variable = std::getenv("LEGACY_GL_DRIVER_TRAITS"))
+    chosen.append(",").append(variable);
+  std::string unknown;
+  const DriverTraits traits = find_driver_traits(driver, chosen, unknown);
+  if (!unknown.empty()) diagnose(context, "there are no driver traits named " + unknown);
+  return traits;
+}
+
 legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& options,
                         std::unique_ptr<Context>& context) {
   if (!loader) return fail(LEGACY_GL_INVALID_ARGUMENT, "the loader is NULL");
@@ -59,6 +71,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
     case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
   }
   context = std::make_unique<Context>(options);
+  driver.traits = chosen_traits(*context, driver, options.driver_traits);
   constexpr std::size_t kDefaultCacheBytes = std::size_t{32} << 20;
   context->backend = std::make_unique<Backend>(
       driver, options.programs,
@@ -145,7 +158,7 @@ void draw_part_of_batch(Context& context) {
 legacy_gl_context::legacy_gl_context(const legacy_gl_options& chosen)
     : options(chosen), lighting(chosen.max_lights ? chosen.max_lights : 8) {
   options.share = nullptr;
-  options.cache_directory = nullptr;  // the caller's text
+  options.cache_directory = options.driver_traits = nullptr;  // the caller's texts
 }
 
 legacy_gl_context::~legacy_gl_context() = default;

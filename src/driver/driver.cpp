@@ -92,6 +92,9 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   optional(driver.DeleteProgramPipelines, "glDeleteProgramPipelines", pipelines);
   optional(driver.GenProgramPipelines, "glGenProgramPipelines", pipelines);
   optional(driver.UseProgramStages, "glUseProgramStages", pipelines);
+  optional(driver.BeginTransformFeedback, "glBeginTransformFeedback", true);
+  optional(driver.EndTransformFeedback, "glEndTransformFeedback", true);
+  optional(driver.TransformFeedbackVaryings, "glTransformFeedbackVaryings", true);
   if (pipelines) optional(driver.ProgramParameteri, "glProgramParameteri", true);
   return DriverStatus::kOk;
 }

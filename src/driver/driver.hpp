@@ -1,11 +1,12 @@
 #pragma once
-// The driver's functions. The driver's own headers are included by src/backend alone.
+// The driver's functions. The driver's own headers are included by src/driver alone.
 #include "state/gl_types.hpp"  // first: the driver's header has fewer enums under the same version macros
 
 #include <GL/glcorearb.h>
 
 #include <string>
 
+#include "driver/driver_traits.hpp"
 #include "shadergen/program_key.hpp"
 
 namespace legacy_gl {
@@ -115,28 +116,31 @@ namespace legacy_gl {
   X(Viewport, VIEWPORT)
 
 // Desktop only, or GLES only: nullptr where the driver has none.
-#define LEGACY_GL_OPTIONAL_DRIVER_FUNCTIONS(X)      \
-  X(BindProgramPipeline, BINDPROGRAMPIPELINE)       \
-  X(ClearDepth, CLEARDEPTH)                         \
-  X(ClearDepthf, CLEARDEPTHF)                       \
-  X(DeleteProgramPipelines, DELETEPROGRAMPIPELINES) \
-  X(DepthRange, DEPTHRANGE)                         \
-  X(DepthRangef, DEPTHRANGEF)                       \
-  X(DrawBuffer, DRAWBUFFER)                         \
-  X(DrawBuffers, DRAWBUFFERS)                       \
-  X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX) \
-  X(GenProgramPipelines, GENPROGRAMPIPELINES)       \
-  X(GetBufferSubData, GETBUFFERSUBDATA)             \
-  X(GetCompressedTexImage, GETCOMPRESSEDTEXIMAGE)   \
-  X(GetProgramBinary, GETPROGRAMBINARY)             \
-  X(GetTexImage, GETTEXIMAGE)                       \
-  X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
-  X(LogicOp, LOGICOP)                               \
-  X(MultiDrawArrays, MULTIDRAWARRAYS)               \
-  X(PointSize, POINTSIZE)                           \
-  X(PolygonMode, POLYGONMODE)                       \
-  X(ProgramBinary, PROGRAMBINARY)                   \
-  X(ProgramParameteri, PROGRAMPARAMETERI)           \
+#define LEGACY_GL_OPTIONAL_DRIVER_FUNCTIONS(X)            \
+  X(BeginTransformFeedback, BEGINTRANSFORMFEEDBACK)       \
+  X(BindProgramPipeline, BINDPROGRAMPIPELINE)             \
+  X(ClearDepth, CLEARDEPTH)                               \
+  X(ClearDepthf, CLEARDEPTHF)                             \
+  X(DeleteProgramPipelines, DELETEPROGRAMPIPELINES)       \
+  X(DepthRange, DEPTHRANGE)                               \
+  X(DepthRangef, DEPTHRANGEF)                             \
+  X(DrawBuffer, DRAWBUFFER)                               \
+  X(DrawBuffers, DRAWBUFFERS)                             \
+  X(DrawElementsBaseVertex, DRAWELEMENTSBASEVERTEX)       \
+  X(EndTransformFeedback, ENDTRANSFORMFEEDBACK)           \
+  X(GenProgramPipelines, GENPROGRAMPIPELINES)             \
+  X(GetBufferSubData, GETBUFFERSUBDATA)                   \
+  X(GetCompressedTexImage, GETCOMPRESSEDTEXIMAGE)         \
+  X(GetProgramBinary, GETPROGRAMBINARY)                   \
+  X(GetTexImage, GETTEXIMAGE)                             \
+  X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV)       \
+  X(LogicOp, LOGICOP)                                     \
+  X(MultiDrawArrays, MULTIDRAWARRAYS)                     \
+  X(PointSize, POINTSIZE)                                 \
+  X(PolygonMode, POLYGONMODE)                             \
+  X(ProgramBinary, PROGRAMBINARY)                         \
+  X(ProgramParameteri, PROGRAMPARAMETERI)                 \
+  X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) \
   X(UseProgramStages, USEPROGRAMSTAGES)
 
 struct Driver {
@@ -147,6 +151,7 @@ struct Driver {
 
   Dialect dialect = Dialect::kCore330;
   int major = 0, minor = 0;
+  DriverTraits traits;  ///< of find_driver_traits
   bool is_es() const { return dialect == Dialect::kEs300; }
 };
 

@@ -1,7 +1,6 @@
 #include "driver/program_linker.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 #include "shadergen/uniform_blocks.hpp"
@@ -20,10 +19,7 @@ std::string without_title(const std::string& text) {
 }  // namespace
 
 ProgramLinker::ProgramLinker(const Driver& driver, bool keeps_binaries) : driver_(driver) {
-  const auto* const renderer = reinterpret_cast<const char*>(driver.GetString(GL_RENDERER));
-  pipelines_ = renderer && std::strstr(renderer, "llvmpipe") && driver.GenProgramPipelines &&
-               driver.DeleteProgramPipelines && driver.BindProgramPipeline &&
-               driver.UseProgramStages && driver.ProgramParameteri;
+  pipelines_ = driver.traits.shares_fragment_stages;
   GLint formats = 0;
   if (keeps_binaries && driver.GetProgramBinary && driver.ProgramBinary && driver.ProgramParameteri)
     driver.GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);

@@ -146,7 +146,7 @@ struct Backend::PlacedObject {
 };
 
 bool Backend::may_light(Context& context) const {
-  return transforms_as_shaders_ && context.lighting.enabled && programs_.has_stand_ins() &&
+  return driver.traits.matches_cpu_arithmetic && context.lighting.enabled && programs_.has_stand_ins() &&
          !context.fog.enabled && !active_textures(context).mask &&
          Recorder::relevant_layout(context) == kLitFrom && !looks_at_reach(context) &&
          !replaces_lines(context) && !context.raster.point.is_attenuated();

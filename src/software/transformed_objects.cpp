@@ -48,7 +48,7 @@ bool Backend::can_transform(Context& context) {
                                     kFieldTransformed | kFieldLightingPosition;
   if (recorder.layout().fields & ~kKnownFields) return false;
   if (recorder.layout().fields & kFieldTransformed) return true;
-  if (!transforms_as_shaders_ || is_stippled(context.raster.line)) return false;
+  if (!driver.traits.matches_cpu_arithmetic || is_stippled(context.raster.line)) return false;
   if (context.raster.point.is_attenuated()) return false;  // by eye coordinates
   if (looks_at_reach(context)) return false;               // each object has lights of its own
   derive(context, recorder.layout());

@@ -35,16 +35,7 @@ Backend::Backend(const Driver& loaded, legacy_gl_programs programs, ProgramFiles
       bitmaps_(driver),
       pixel_texture_(driver),
       kept_batches_(driver) {
-  // Mesa's software driver multiplies and adds as C++ does; others may fuse the two.
-  const auto* const renderer = reinterpret_cast<const char*>(driver.GetString(GL_RENDERER));
-  transforms_as_shaders_ = renderer && std::strstr(renderer, "llvmpipe");
-  // Forward-compatible contexts raise an error for wide lines, whatever range they tell.
-  GLint flags = 0;
-  GLfloat widths[2] = {1, 1};
-  if (!driver.is_es()) driver.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
-  driver.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths);
-  thin_lines_ = flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT || widths[1] <= 1;
-  if (thin_lines_) raster_.keep_lines_thin();
+  if (!driver.traits.draws_wide_lines) raster_.keep_lines_thin();
   GLint alignment = 0;
   driver.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   if (alignment > 0) uniform_alignment_ = static_cast<std::size_t>(alignment);
@@ -60,7 +51,7 @@ std::string Backend::program_source(Context& context) {
 }
 
 bool Backend::widens_lines(const Context& context) const {
-  return thin_lines_ && whole_line_width(context.raster.line) > 1;
+  return !driver.traits.draws_wide_lines && whole_line_width(context.raster.line) > 1;
 }
 
 bool Backend::replaces_lines(const Context& context) const {

@@ -118,7 +118,7 @@ class Backend {
   /// Triangles that cover no sample, or that others of their surface hide, are worth finding: the
   /// driver draws on the CPU.
   bool skips_unseen(const Context& context) const {
-    return transforms_as_shaders_ && !context.options.keep_unseen_triangles;
+    return driver.traits.matches_cpu_arithmetic && !context.options.keep_unseen_triangles;
   }
   void draw_batch(Context& context);
   void draw_held(Context& context);
@@ -219,8 +219,6 @@ class Backend {
   /// Dirty bits that other readers have taken from the context.
   std::array<std::uint32_t, kDirtyReaders> unseen_{0, kDirtyAll, kDirtyAll};
   std::size_t uniform_alignment_ = 256;
-  bool transforms_as_shaders_ = false;  ///< the driver's products of matrices round as ours
-  bool thin_lines_ = false;             ///< the driver refuses wide ones
   bool general_program_ = false;        ///< the program in use reads the general block
   GLuint bound_program_ = 0;
   GLuint bound_array_ = 0;
