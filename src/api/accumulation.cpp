@@ -4,7 +4,8 @@
 
 #include "dlist/dispatch.hpp"
 #include "execute/framebuffer.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
+#include "submit/accumulation.hpp"
 
 using namespace legacy_gl;
 
@@ -25,7 +26,7 @@ void accum(Context& c, GLenum operation, float value) {
   if (!has_accumulation_buffer(c)) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
   try {
-    c.backend->accumulate(c, operation, value);
+    accumulate(c, operation, value);
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);
   }

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

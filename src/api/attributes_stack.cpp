@@ -1,6 +1,8 @@
 // GL 2.1 spec 6.1.14: glPushAttrib, glPopAttrib, glPushClientAttrib, glPopClientAttrib.
 #include "context/attribute_stack.hpp"
 #include "dlist/dispatch.hpp"
+#include "execute/attribute_stack.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

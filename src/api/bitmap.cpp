@@ -5,7 +5,8 @@
 
 #include "cpu_pipeline/feedback.hpp"
 #include "dlist/dispatch.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
+#include "submit/bitmaps.hpp"
 #include "texture/bitmap_image.hpp"
 
 using namespace legacy_gl;
@@ -28,8 +29,8 @@ void bitmap(Context& c, const BitmapImage* image, Origin origin, Origin move) {
   if (c.selection.is_feeding_back()) feed_back_raster_position(c, GL_BITMAP_TOKEN);
   if (image && c.selection.is_rendering()) {
     if (c.recorder.has_pending()) draw_pending(c);
-    c.backend->add_bitmap(c, first_pixel(raster.position.x, origin.x),
-                          first_pixel(raster.position.y, origin.y), *image);
+    add_bitmap(c, first_pixel(raster.position.x, origin.x),
+               first_pixel(raster.position.y, origin.y), *image);
   }
   raster.position.x += move.x;
   raster.position.y += move.y;
@@ -50,7 +51,7 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglBitmap(GLsizei width, GLsizei height, G
   const Origin origin{xorig, yorig}, move{xmove, ymove};
   const BitmapImage* const none = nullptr;
   if (!width || !height || !pixels) return dispatch<bitmap>(none, origin, move);
-  if (!c->lists.compiling) {
+  if (!c->list_modes.compiling) {
     unpack_bitmap(c->unpack, width, height, pixels, c->bitmap_scratch);
     return bitmap(*c, &c->bitmap_scratch, origin, move);
   }

@@ -1,6 +1,7 @@
 // GL 2.1 spec 2.9: buffer objects. No display list holds them (5.4).
 #include "dlist/dispatch.hpp"
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -25,7 +26,7 @@ GLuint* binding(Context& c, GLenum target) {
 BufferObject* bound_buffer(Context& c, GLenum target) {
   if (inside(c)) return nullptr;
   const GLuint* const name = binding(c, target);
-  BufferObject* const buffer = name ? c.backend->buffers().find(*name) : nullptr;
+  BufferObject* const buffer = name ? c.driver->buffers.find(*name) : nullptr;
   if (!name) raise_error(c, GL_INVALID_ENUM);
   else if (!buffer) raise_error(c, GL_INVALID_OPERATION);
   return buffer;
@@ -53,14 +54,14 @@ bool inside_store(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) 
 void gen_buffers(Context& c, GLsizei n, GLuint* names) {
   if (inside(c)) return;
   if (n < 0) return raise_error(c, GL_INVALID_VALUE);
-  if (names) c.backend->buffers().generate(n, names);
+  if (names) c.driver->buffers.generate(n, names);
 }
 
 void bind_buffer(Context& c, GLenum target, GLuint name) {
   if (inside(c)) return;
   GLuint* const bound = binding(c, target);
   if (!bound) return raise_error(c, GL_INVALID_ENUM);
-  if (name) c.backend->buffers().find_or_create(name);
+  if (name) c.driver->buffers.find_or_create(name);
   *bound = name;
 }
 
@@ -79,13 +80,13 @@ void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
         array.buffer = 0;
         array.buffer_deleted = true;
       }
-    c.backend->delete_buffer(name);
+    c.driver->delete_buffer(name);
   }
 }
 
 GLboolean is_buffer(Context& c, GLuint name) {
   if (inside(c)) return GL_FALSE;
-  return c.backend->buffers().find(name) ? GL_TRUE : GL_FALSE;
+  return c.driver->buffers.find(name) ? GL_TRUE : GL_FALSE;
 }
 
 void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
@@ -94,7 +95,7 @@ void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, G
   if (size < 0) return raise_error(c, GL_INVALID_VALUE);
   BufferObject* const buffer = bound_buffer(c, target);
   if (!buffer) return;
-  if (!c.backend->buffers().set_data(*buffer, size, data, usage)) raise_error(c, GL_OUT_OF_MEMORY);
+  if (!c.driver->buffers.set_data(*buffer, size, data, usage)) raise_error(c, GL_OUT_OF_MEMORY);
 }
 
 void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size,
@@ -103,7 +104,7 @@ void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size
   if (!buffer) return;
   if (!inside_store(*buffer, offset, size)) return raise_error(c, GL_INVALID_VALUE);
   if (buffer->mapped) return raise_error(c, GL_INVALID_OPERATION);
-  if (size && data) c.backend->buffers().set_sub_data(*buffer, offset, size, data);
+  if (size && data) c.driver->buffers.set_sub_data(*buffer, offset, size, data);
 }
 
 void get_buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
@@ -111,7 +112,7 @@ void get_buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr 
   if (!buffer) return;
   if (!inside_store(*buffer, offset, size)) return raise_error(c, GL_INVALID_VALUE);
   if (buffer->mapped) return raise_error(c, GL_INVALID_OPERATION);
-  if (data && !c.backend->buffers().get_sub_data(*buffer, offset, size, data))
+  if (data && !c.driver->buffers.get_sub_data(*buffer, offset, size, data))
     raise_error(c, GL_OUT_OF_MEMORY);
 }
 
@@ -126,7 +127,7 @@ void* map_buffer(Context& c, GLenum target, GLenum access) {
     raise_error(c, GL_INVALID_OPERATION);
     return nullptr;
   }
-  void* const pointer = c.backend->buffers().map(*buffer, access);
+  void* const pointer = c.driver->buffers.map(*buffer, access);
   if (!pointer) raise_error(c, GL_OUT_OF_MEMORY);
   return pointer;
 }
@@ -138,7 +139,7 @@ GLboolean unmap_buffer(Context& c, GLenum target) {
     raise_error(c, GL_INVALID_OPERATION);
     return GL_FALSE;
   }
-  return c.backend->buffers().unmap(*buffer) ? GL_TRUE : GL_FALSE;
+  return c.driver->buffers.unmap(*buffer) ? GL_TRUE : GL_FALSE;
 }
 
 void get_buffer_parameter(Context& c, GLenum target, GLenum name, GLint* value) {

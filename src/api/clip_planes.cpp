@@ -2,6 +2,7 @@
 #include <glm/matrix.hpp>
 
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

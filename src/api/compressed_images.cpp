@@ -7,6 +7,7 @@
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 #include "texture/compressed_format.hpp"
 
 using namespace legacy_gl;
@@ -30,7 +31,7 @@ struct CompressedCall {
 GLenum format_error(const Context& c, const CompressedCall& call) {
   const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
   const bool offered =
-      bytes_of_block(static_cast<GLint>(call.format)) && c.backend->textures().offers_s3tc();
+      bytes_of_block(static_cast<GLint>(call.format)) && c.driver->textures.offers_s3tc();
   return target && offered && call.dimensions == 2 ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_ENUM};
 }
 
@@ -63,8 +64,8 @@ void replace(Context& c, const CompressedCall& call, const void* data) {
   if (const GLenum error = part_error(place, call.offset, call.size)) return raise_error(c, error);
   if (!has_size(call)) return raise_error(c, GL_INVALID_VALUE);
   if (!data || !call.bytes) return;
-  texture_changes(c);
-  c.backend->textures().replace_compressed(place, call.offset, call.size, data, call.bytes);
+  before_texture_change(c);
+  c.driver->textures.replace_compressed(place, call.offset, call.size, data, call.bytes);
   image_changed(c, place);
 }
 
@@ -86,7 +87,7 @@ void compressed_call(const CompressedCall& call, const void* data) {
   if (!context) return report_no_context();
   const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
   const bool proxy = target && target->proxy;  // executed at once (GL 2.1 spec 5.4)
-  if (!context->lists.compiling || proxy) return execute(*context, call, data);
+  if (!context->list_modes.compiling || proxy) return execute(*context, call, data);
   const Bytes* recorded = nullptr;
   if (data && has_size(call)) {
     const auto* const bytes = static_cast<const std::byte*>(data);
@@ -105,11 +106,11 @@ void get_compressed_tex_image(Context& c, GLenum target_name, GLint level, void*
   const ImagePlace place{bound_texture(c, target->target), target->face, level};
   if (!bytes_of_block(place.texture.images.at(place.face, level).internal_format))
     return raise_error(c, GL_INVALID_OPERATION);
-  if (c.backend->driver.is_es()) {
+  if (c.driver->functions.is_es()) {
     diagnose(c, "glGetCompressedTexImage: this driver (OpenGL ES) reads no compressed images");
     return raise_error(c, GL_INVALID_OPERATION);
   }
-  if (data) c.backend->textures().read_compressed(place, data);
+  if (data) c.driver->textures.read_compressed(place, data);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The C API of <legacy_gl/context.h>.
-#include "context/context.hpp"
+#include "record/pending.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,20 +8,13 @@
 #include <new>
 
 #include "api/sized_structs.hpp"
-#include "cpu_pipeline/feedback.hpp"
-#include "cpu_pipeline/selection.hpp"
+#include "api/whole_context.hpp"
 #include "dlist/dispatch.hpp"
+#include "driver/driver_objects.hpp"
 #include "execute/framebuffer.hpp"
-#include "submit/backend.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
-
-constinit thread_local Context* current_context = nullptr;
-constinit thread_local Context* direct_context = nullptr;
-
-void update_direct_context() {
-  direct_context = current_context && !current_context->lists.compiling ? current_context : nullptr;
-}
 
 namespace {
 
@@ -70,13 +63,13 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
     case DriverStatus::kTooOld: return fail(LEGACY_GL_DRIVER_TOO_OLD, detail);
     case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
   }
-  context = std::make_unique<Context>(options);
-  driver.traits = chosen_traits(*context, driver, options.driver_traits);
+  auto whole = std::make_unique<WholeContext>(options);
+  driver.traits = chosen_traits(*whole, driver, options.driver_traits);
   constexpr std::size_t kDefaultCacheBytes = std::size_t{32} << 20;
-  context->backend = std::make_unique<Backend>(
-      driver, options.programs,
-      ProgramFiles(options.cache_directory ? options.cache_directory : "",
-                   options.cache_bytes ? options.cache_bytes : kDefaultCacheBytes));
+  whole->attach(driver, options.programs,
+                ProgramFiles(options.cache_directory ? options.cache_directory : "",
+                             options.cache_bytes ? options.cache_bytes : kDefaultCacheBytes));
+  context = std::move(whole);
   if (options.share) {
     context->lists.names = options.share->lists.names;
     context->texture.names = options.share->texture.names;
@@ -93,75 +86,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
 
 }  // namespace
 
-void raise_error(Context& context, GLenum error) {
-  if (context.error == GL_NO_ERROR) context.error = error;
-}
-
-void diagnose(Context& context, const std::string& message) {
-  if (!context.diagnostics_given.insert(message).second) return;
-  if (context.options.diagnostic)
-    context.options.diagnostic(message.c_str(), context.options.diagnostic_user);
-  else std::fprintf(stderr, "legacy_gl: %s\n", message.c_str());
-}
-
-void report_no_context() {
-  static thread_local bool said = false;
-  if (said) return;
-  said = true;
-  std::fprintf(stderr, "legacy_gl: a GL function was called without a current context\n");
-}
-
-void leave_matrices(Context& context) {
-  if (!context.recorder.has_pending() || context.recorder.all_lit()) return;
-  if (light_object(context)) return;
-  // Selection and feedback take vertices as they were given.
-  if (!context.selection.is_rendering() || !context.backend->transform_recorded(context))
-    draw_pending(context);
-}
-
-bool light_object(Context& context) {
-  return context.selection.is_rendering() && !context.bitmaps_pending &&
-         context.backend->light_recorded(context);
-}
-
-void leave_lighting(Context& context) {
-  if (context.recorder.all_lit() && !context.bitmaps_pending) return;
-  if (context.recorder.is_idle() || !light_object(context)) flush_pending(context);
-}
-
-bool stays_lit(Context& context) { return context.backend->stays_lit(context); }
-
-namespace {
-
-void without_rendering(Context& context) {
-  if (context.selection.is_selecting()) select_recorded(context);
-  else feed_back_recorded(context);
-}
-
-}  // namespace
-
-void draw_pending(Context& context) {
-  if (context.recorder.inside_begin_end()) return;
-  if (!context.selection.is_rendering()) return without_rendering(context);
-  if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
-  if (context.recorder.has_pending()) context.backend->draw_recorded(context, true);
-}
-
-void draw_part_of_batch(Context& context) {
-  if (!context.selection.is_rendering()) return without_rendering(context);
-  if (context.bitmaps_pending) context.backend->draw_bitmaps(context);
-  context.backend->draw_recorded(context, false);
-}
-
 }  // namespace legacy_gl
-
-legacy_gl_context::legacy_gl_context(const legacy_gl_options& chosen)
-    : options(chosen), lighting(chosen.max_lights ? chosen.max_lights : 8) {
-  options.share = nullptr;
-  options.cache_directory = options.driver_traits = nullptr;  // the caller's texts
-}
-
-legacy_gl_context::~legacy_gl_context() = default;
 
 using namespace legacy_gl;
 
@@ -197,8 +122,7 @@ legacy_gl_status legacy_gl_make_current(legacy_gl_context* context) {
   update_direct_context();
   if (context) {
     context->current_in = here;
-    context->backend->reset_driver_state();
-    context->dirty |= kDirtyRaster;
+    forget_driver_state(*context);
   }
   return LEGACY_GL_OK;
 }
@@ -216,8 +140,7 @@ void legacy_gl_flush(void) {
 
 void legacy_gl_reset_driver_state(void) {
   if (!current_context) return;
-  current_context->backend->reset_driver_state();
-  current_context->dirty |= kDirtyRaster;
+  forget_driver_state(*current_context);
 }
 
 legacy_gl_status legacy_gl_get_statistics(legacy_gl_statistics* statistics) {
@@ -232,19 +155,18 @@ void legacy_gl_reset_statistics(void) {
 
 size_t legacy_gl_get_program_source(char* text, size_t size) {
   if (!current_context) return 0;
-  return give(current_context->backend->program_source(*current_context), text, size);
+  return give(program_source(*current_context), text, size);
 }
 
 size_t legacy_gl_get_program_keys(char* text, size_t size) {
   if (!current_context) return 0;
-  return give(current_context->backend->programs().keys(), text, size);
+  return give(current_context->driver->programs.keys(), text, size);
 }
 
 size_t legacy_gl_precompile(const char* keys, size_t length) {
   if (!current_context || !keys) return 0;
   flush_pending(*current_context);
-  return current_context->backend->programs().precompile({keys, length},
-                                                         current_context->statistics);
+  return current_context->driver->programs.precompile({keys, length}, current_context->statistics);
 }
 
 const char* legacy_gl_status_string(legacy_gl_status status) {

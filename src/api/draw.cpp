@@ -1,10 +1,11 @@
 // GL 2.1 spec 2.8: drawing from client arrays. In a display list they are dereferenced when
 // compiled (5.4).
+#include "api/attributes.hpp"
 #include "dlist/dispatch.hpp"
 #include "dlist/list_arrays.hpp"
-#include "execute/attributes.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 #include "submit/arrays.hpp"
-#include "submit/backend.hpp"
 
 using namespace legacy_gl;
 
@@ -29,7 +30,7 @@ void draw_nothing(Context& c) {
 }
 
 bool refused(Context& c, GLenum error) {
-  if (!c.lists.compiling && c.recorder.inside_begin_end()) error = GL_INVALID_OPERATION;
+  if (!c.list_modes.compiling && c.recorder.inside_begin_end()) error = GL_INVALID_OPERATION;
   if (error == GL_NO_ERROR) return false;
   dispatch<raise>(error);
   return true;
@@ -37,14 +38,14 @@ bool refused(Context& c, GLenum error) {
 
 void draw(Context& c, const ArrayDraw& arguments) {
   if (arguments.count == 0) return;
-  if (c.lists.compiling) {
+  if (c.list_modes.compiling) {
     // The list may be called inside Begin/End, where the draw is an error whatever it draws.
     if (!c.arrays.arrays[kVertexArray].enabled) return dispatch<draw_nothing>();
     ReadableArrays readable(c);
     if (arguments.is_indexed())
       record_elements(c, readable.views(), arguments.mode, readable.elements(arguments));
     else record_arrays(c, readable.views(), arguments.mode, arguments.first, arguments.count);
-    if (c.lists.mode == GL_COMPILE) return;
+    if (c.list_modes.mode == GL_COMPILE) return;
   }
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   draw_arrays(c, arguments);

@@ -5,9 +5,11 @@
 #include "api/pixel_buffers.hpp"
 #include "cpu_pipeline/feedback.hpp"
 #include "dlist/dispatch.hpp"
+#include "driver/driver_objects.hpp"
 #include "driver/read_pixels.hpp"
 #include "execute/framebuffer.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
+#include "submit/pixels.hpp"
 #include "texture/pixel_format.hpp"
 #include "texture/recorded_pixels.hpp"
 
@@ -37,10 +39,8 @@ void draw_depth_stencil(Context& c, const PixelCall& call, const PixelStore& sto
   const ImageSize size{call.width, call.height, 1};
   DepthStencilTexels texels = unpack_depth_stencil(store, pixels, size, c.pixels);
   flush_pending(c);
-  c.backend->draw_pixels(
-      c, {PixelSource::kStencil, call.width, call.height, std::move(texels.stencil)});
-  c.backend->draw_pixels(
-      c, {PixelSource::kDepths, call.width, call.height, std::move(texels.depths), true});
+  draw_pixels(c, {PixelSource::kStencil, call.width, call.height, std::move(texels.stencil)});
+  draw_pixels(c, {PixelSource::kDepths, call.width, call.height, std::move(texels.depths), true});
 }
 
 void draw(Context& c, const PixelCall& call, const PixelStore& store, const void* pixels) {
@@ -59,7 +59,7 @@ void draw(Context& c, const PixelCall& call, const PixelStore& store, const void
                                    false, c.pixels);
   }
   flush_pending(c);
-  c.backend->draw_pixels(c, image);
+  draw_pixels(c, image);
 }
 
 void draw_pixels(Context& c, const PixelCall& call, const PixelStore& store, const void* pixels) {
@@ -115,7 +115,7 @@ void copy_pixels(Context& c, PixelRectangle from, GLenum type) {
   if (from.width < 0 || from.height < 0) return raise_error(c, GL_INVALID_VALUE);
   if (const GLenum error = missing_buffer_error(c, format)) return raise_error(c, error);
   if (const GLenum error = multisampled_object_error(c)) return raise_error(c, error);
-  const Driver& driver = c.backend->driver;
+  const Driver& driver = c.driver->functions;
   if (!can_read_pixels(driver, format)) {
     diagnose(c, "glCopyPixels: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
@@ -149,7 +149,7 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawPixels(GLsizei width, GLsizei heigh
   Context* const c = current_context;
   if (!c) return report_no_context();
   const PixelCall call{width, height, format, type};
-  if (c->lists.compiling) return record_pixel_call(*c, call, pixels);
+  if (c->list_modes.compiling) return record_pixel_call(*c, call, pixels);
   draw_pixels(*c, call, c->unpack, pixels);
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height,

@@ -4,7 +4,9 @@
 #include "dlist/dispatch.hpp"
 #include "execute/capabilities.hpp"
 #include "execute/framebuffer.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
+#include "submit/accumulation.hpp"
+#include "submit/prepare.hpp"
 
 using namespace legacy_gl;
 
@@ -38,13 +40,13 @@ GLenum get_error(Context& c) {
 void flush(Context& c) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
-  c.backend->driver.Flush();
+  c.driver->functions.Flush();
 }
 
 void finish(Context& c) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
-  c.backend->driver.Finish();
+  c.driver->functions.Finish();
 }
 
 void clear(Context& c, GLbitfield mask) {
@@ -54,9 +56,9 @@ void clear(Context& c, GLbitfield mask) {
   if (mask & ~kKnown) return raise_error(c, GL_INVALID_VALUE);
   flush_pending(c);
   if (!c.selection.is_rendering()) return;
-  if (mask & GL_ACCUM_BUFFER_BIT && has_accumulation_buffer(c)) c.backend->clear_accumulation(c);
-  c.backend->apply_raster(c);
-  c.backend->driver.Clear(mask & ~GLbitfield{GL_ACCUM_BUFFER_BIT});
+  if (mask & GL_ACCUM_BUFFER_BIT && has_accumulation_buffer(c)) clear_accumulation(c);
+  apply_raster(c);
+  c.driver->functions.Clear(mask & ~GLbitfield{GL_ACCUM_BUFFER_BIT});
 }
 
 }  // namespace

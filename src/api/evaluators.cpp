@@ -4,6 +4,7 @@
 
 #include "dlist/dispatch.hpp"
 #include "execute/eval_coord.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

@@ -3,6 +3,7 @@
 
 #include "api/scalar_parameters.hpp"
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

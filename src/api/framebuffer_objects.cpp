@@ -6,6 +6,7 @@
 #include "api/extensions.hpp"
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -15,7 +16,7 @@ GLuint driver_texture(Context& c, GLuint name) {
   const TexturePointer texture = name ? c.texture.names->find(name) : nullptr;
   if (!texture) return 0;
   flush_pending(c);
-  return c.backend->textures().driver_name(*texture);
+  return c.driver->textures.driver_name(*texture);
 }
 
 GLboolean is_renderable(Context& c, GLuint name) {
@@ -33,18 +34,18 @@ void generate_mipmap(Context& c, GLenum target_name) {
   TextureParameters base_only = texture.parameters;
   base_only.min_filter = GL_LINEAR;
   if (!texture.images.complete(base_only)) return raise_error(c, GL_INVALID_OPERATION);
-  texture_changes(c);
-  c.backend->textures().generate_mipmap(texture);
+  before_texture_change(c);
+  c.driver->textures.generate_mipmap(texture);
 }
 
 void offer_extensions(Context& c, const char* names) {
-  c.extensions = extension_names(c.backend->driver);
+  c.extensions = extension_names(c.driver->functions);
   std::istringstream words(names ? names : "");
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     const std::string needed = equals == std::string::npos ? name : word.substr(equals + 1);
-    if (driver_has_extension(c.backend->driver, needed)) c.extensions += ' ' + name;
+    if (driver_has_extension(c.driver->functions, needed)) c.extensions += ' ' + name;
   }
 }
 

@@ -1,6 +1,7 @@
 // GL 2.1 spec 6.1: glGetBooleanv, glGetIntegerv, glGetFloatv, glGetDoublev.
 #include "dlist/dispatch.hpp"
 #include "execute/queries.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

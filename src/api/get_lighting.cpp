@@ -4,6 +4,7 @@
 #include "dlist/dispatch.hpp"
 #include "execute/lighting_setters.hpp"
 #include "execute/queries.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

@@ -1,5 +1,6 @@
 // GL 2.1 spec 5.6: glHint. The hints are kept and asked for; no drawing depends on one.
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -19,10 +20,10 @@ void new_list(Context& c, GLuint name, GLenum mode) {
   if (in_begin_end(c)) return;
   if (name == 0) return raise_error(c, GL_INVALID_VALUE);
   if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return raise_error(c, GL_INVALID_ENUM);
-  if (c.lists.compiling) return raise_error(c, GL_INVALID_OPERATION);
-  c.lists.compiling = true;
-  c.lists.mode = mode;
-  c.lists.compiling_name = name;
+  if (c.list_modes.compiling) return raise_error(c, GL_INVALID_OPERATION);
+  c.list_modes.compiling = true;
+  c.list_modes.mode = mode;
+  c.list_modes.compiling_name = name;
   c.lists.compiling_list = std::make_shared<DisplayList>();
   c.lists.welder = {};
   update_direct_context();
@@ -30,33 +31,33 @@ void new_list(Context& c, GLuint name, GLenum mode) {
 
 void end_list(Context& c) {
   if (in_begin_end(c)) return;
-  if (!c.lists.compiling) return raise_error(c, GL_INVALID_OPERATION);
-  c.lists.compiling = false;
+  if (!c.list_modes.compiling) return raise_error(c, GL_INVALID_OPERATION);
+  c.list_modes.compiling = false;
   c.lists.compiling_list->finish();
-  c.lists.names->store(c.lists.compiling_name, std::move(c.lists.compiling_list));
+  c.lists.names->store(c.list_modes.compiling_name, std::move(c.lists.compiling_list));
   c.lists.compiling_list = nullptr;
-  c.lists.compiling_name = 0;
-  c.lists.mode = 0;
+  c.list_modes.compiling_name = 0;
+  c.list_modes.mode = 0;
   update_direct_context();
 }
 
 void call_list(Context& c, GLuint name) {
-  if (c.lists.nesting == ListState::kMaxNesting) return;
+  if (c.list_modes.nesting == ListModes::kMaxNesting) return;
   const std::shared_ptr<const DisplayList> list = c.lists.names->find(name);
   if (!list) return;
   // What a list executes is not recorded again: GL_COMPILE_AND_EXECUTE records the call itself.
-  const bool compiling = std::exchange(c.lists.compiling, false);
+  const bool compiling = std::exchange(c.list_modes.compiling, false);
   if (compiling) update_direct_context();
-  ++c.lists.nesting;
+  ++c.list_modes.nesting;
   list->execute(c);
-  --c.lists.nesting;
-  c.lists.compiling = compiling;
+  --c.list_modes.nesting;
+  c.list_modes.compiling = compiling;
   if (compiling) update_direct_context();
 }
 
 void list_base(Context& c, GLuint base) {
   if (in_begin_end(c)) return;
-  c.lists.base = base;
+  c.list_modes.base = base;
 }
 
 /// Truncated to an integer; a float that no integer holds is no offset.
@@ -89,7 +90,7 @@ bool is_list_type(GLenum type) {
   return (type >= GL_BYTE && type <= GL_FLOAT) || (type >= GL_2_BYTES && type <= GL_4_BYTES);
 }
 
-void call_list_at_base(Context& c, GLuint offset) { call_list(c, c.lists.base + offset); }
+void call_list_at_base(Context& c, GLuint offset) { call_list(c, c.list_modes.base + offset); }
 
 GLuint gen_lists(Context& c, GLsizei range) {
   if (in_begin_end(c)) return 0;

@@ -3,6 +3,7 @@
 #include <glm/matrix.hpp>
 
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -25,7 +26,7 @@ MatrixStack& current_stack(Context& c) {
 
 void before_change(Context& c) {
   if (c.transform.matrix_mode == GL_TEXTURE) flush_pending(c);
-  else leave_matrices(c);
+  else before_matrix_change(c);
 }
 
 std::uint32_t current_dirty_bit(const Context& c) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

@@ -6,6 +6,7 @@
 
 #include "dlist/dispatch.hpp"
 #include "execute/queries.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

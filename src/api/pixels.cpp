@@ -3,9 +3,10 @@
 
 #include "api/pixel_buffers.hpp"
 #include "dlist/dispatch.hpp"
+#include "driver/driver_objects.hpp"
 #include "driver/read_pixels.hpp"
 #include "execute/framebuffer.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
 #include "texture/pixel_format.hpp"
 
 using namespace legacy_gl;
@@ -38,14 +39,14 @@ void read_pixels_into(Context& c, PixelRectangle rectangle, GLenum format, GLenu
   if (format == GL_COLOR_INDEX) return raise_error(c, GL_INVALID_OPERATION);
   if (const GLenum error = missing_buffer_error(c, format)) return raise_error(c, error);
   if (const GLenum error = multisampled_object_error(c)) return raise_error(c, error);
-  if (!can_read_pixels(c.backend->driver, format)) {
+  if (!can_read_pixels(c.driver->functions, format)) {
     diagnose(c, "glReadPixels: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
   }
   flush_pending(c);
   if (!pixels || !rectangle.width || !rectangle.height) return;
   try {
-    read_pixels(c.backend->driver, rectangle, c.pack, format, type, c.pixels,
+    read_pixels(c.driver->functions, rectangle, c.pack, format, type, c.pixels,
                 static_cast<std::byte*>(pixels));
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);

@@ -1,5 +1,6 @@
 // GL 2.1 spec 3.5.2, 6.1.5: glPolygonStipple, glGetPolygonStipple.
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 #include "texture/bitmap_image.hpp"
 #include "texture/pixel_format.hpp"
 

@@ -1,6 +1,7 @@
 // GL 2.1 spec 4.1.7, 6.1.12: occlusion queries. A display list holds their begin and end.
 #include "dlist/dispatch.hpp"
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -17,25 +18,25 @@ bool refused(Context& c, bool valid, GLenum error) {
 
 void gen_queries(Context& c, GLsizei n, GLuint* names) {
   if (refused(c, n >= 0, GL_INVALID_VALUE)) return;
-  if (names) c.backend->queries().generate(n, names);
+  if (names) c.driver->queries.generate(n, names);
 }
 
 void delete_queries(Context& c, GLsizei n, const GLuint* names) {
   if (refused(c, n >= 0, GL_INVALID_VALUE) || !names) return;
   flush_pending(c);  // one of them may be active
-  for (GLsizei i = 0; i < n; ++i) c.backend->queries().remove(names[i]);
+  for (GLsizei i = 0; i < n; ++i) c.driver->queries.remove(names[i]);
 }
 
 GLboolean is_query(Context& c, GLuint name) {
   if (refused(c, true, 0)) return GL_FALSE;
-  return c.backend->queries().exists(name) ? GL_TRUE : GL_FALSE;
+  return c.driver->queries.exists(name) ? GL_TRUE : GL_FALSE;
 }
 
 void begin_query(Context& c, GLenum target, GLuint name) {
   if (refused(c, target == GL_SAMPLES_PASSED, GL_INVALID_ENUM)) return;
-  QueryObjects& queries = c.backend->queries();
+  QueryObjects& queries = c.driver->queries;
   if (name == 0 || queries.active()) return raise_error(c, GL_INVALID_OPERATION);
-  if (c.backend->driver.is_es())
+  if (c.driver->functions.is_es())
     diagnose(c, "glBeginQuery: GLES counts no samples; the result is 1 when any passes");
   flush_pending(c);
   queries.begin(name);
@@ -43,9 +44,9 @@ void begin_query(Context& c, GLenum target, GLuint name) {
 
 void end_query(Context& c, GLenum target) {
   if (refused(c, target == GL_SAMPLES_PASSED, GL_INVALID_ENUM)) return;
-  if (!c.backend->queries().active()) return raise_error(c, GL_INVALID_OPERATION);
+  if (!c.driver->queries.active()) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
-  c.backend->queries().end();
+  c.driver->queries.end();
 }
 
 void get_query(Context& c, GLenum target, GLenum name, GLint* value) {
@@ -53,13 +54,13 @@ void get_query(Context& c, GLenum target, GLenum name, GLint* value) {
   if (name != GL_CURRENT_QUERY && name != GL_QUERY_COUNTER_BITS)
     return raise_error(c, GL_INVALID_ENUM);
   if (!value) return;
-  const QueryObjects& queries = c.backend->queries();
+  const QueryObjects& queries = c.driver->queries;
   *value = name == GL_CURRENT_QUERY ? static_cast<GLint>(queries.active()) : queries.counter_bits();
 }
 
 template <typename T>
 void get_query_object(Context& c, GLuint query, GLenum name, T* value) {
-  const QueryObjects& queries = c.backend->queries();
+  const QueryObjects& queries = c.driver->queries;
   const bool readable = queries.exists(query) && query != queries.active();
   if (refused(c, readable, GL_INVALID_OPERATION)) return;
   if (name != GL_QUERY_RESULT && name != GL_QUERY_RESULT_AVAILABLE)

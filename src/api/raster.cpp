@@ -4,7 +4,8 @@
 
 #include "api/scalar_parameters.hpp"
 #include "dlist/dispatch.hpp"
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -82,7 +83,7 @@ void blend_color(Context& c, float r, float g, float b, float a) {
 }
 void logic_op(Context& c, GLenum operation) {
   if (refused(c, operation >= GL_CLEAR && operation <= GL_SET, GL_INVALID_ENUM)) return;
-  if (c.raster.color_buffer.logic_op != operation && !c.backend->has_logic_op())
+  if (c.raster.color_buffer.logic_op != operation && !c.driver->functions.LogicOp)
     diagnose(c, "glLogicOp: this driver (OpenGL ES) has no logical operations");
   set(c, c.raster.color_buffer.logic_op, operation);
 }

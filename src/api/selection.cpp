@@ -1,5 +1,6 @@
 // GL 2.1 spec 5.2, 5.3: selection and feedback.
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 

@@ -1,7 +1,8 @@
 // GL 2.1 spec 6.1.11: glGetString.
 #include "api/extensions.hpp"
 #include "dlist/dispatch.hpp"
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -11,15 +12,15 @@ const char* find_string(Context& c, GLenum name) {
   switch (name) {
     case GL_VENDOR: return "legacy_gl";
     case GL_RENDERER:
-      if (c.renderer.empty()) {
+      if (c.renderer_name.empty()) {
         const auto* const driver =
-            reinterpret_cast<const char*>(c.backend->driver.GetString(GL_RENDERER));
-        c.renderer = std::string("legacy_gl on ") + (driver ? driver : "an unnamed renderer");
+            reinterpret_cast<const char*>(c.driver->functions.GetString(GL_RENDERER));
+        c.renderer_name = std::string("legacy_gl on ") + (driver ? driver : "an unnamed renderer");
       }
-      return c.renderer.c_str();
+      return c.renderer_name.c_str();
     case GL_VERSION: return "1.5 legacy_gl 0.1.0";
     case GL_EXTENSIONS:
-      if (c.extensions.empty()) c.extensions = extension_names(c.backend->driver);
+      if (c.extensions.empty()) c.extensions = extension_names(c.driver->functions);
       return c.extensions.c_str();
     default: return nullptr;
   }

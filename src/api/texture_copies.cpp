@@ -4,6 +4,7 @@
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
 #include "execute/framebuffer.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -13,7 +14,7 @@ namespace {
 GLenum source_error(Context& c, BaseFormat base) {
   if (base != BaseFormat::kDepth) return GL_NO_ERROR;
   if (!framebuffer_bits(c, FramebufferChannel::kDepth)) return GL_INVALID_OPERATION;
-  if (!c.backend->driver.is_es()) return GL_NO_ERROR;
+  if (!c.driver->functions.is_es()) return GL_NO_ERROR;
   diagnose(c, "glCopyTexImage: this driver (OpenGL ES) copies colours alone");
   return GL_INVALID_OPERATION;
 }
@@ -40,7 +41,7 @@ void copy_image(Context& c, GLenum target_name, unsigned dimensions, GLint level
     from.width = size.width;
     if (dimensions == 2) from.y += border;
     from.height = size.height;
-    c.backend->textures().copy(place, {}, from, c.pixels);
+    c.driver->textures.copy(place, {}, from, c.pixels);
     image_changed(c, place);
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);
@@ -59,10 +60,10 @@ void copy_part(Context& c, GLenum target_name, unsigned dimensions, GLint level,
   const BaseFormat base = place.texture.images.at(place.face, place.level).format.base;
   if (const GLenum error = source_error(c, base)) return raise_error(c, error);
   if (refuses_texels(c, place.texture.images.at(place.face, place.level))) return;
-  texture_changes(c);
+  before_texture_change(c);
   if (!from.width || !from.height) return;
   try {
-    c.backend->textures().copy(place, offset, from, c.pixels);
+    c.driver->textures.copy(place, offset, from, c.pixels);
     image_changed(c, place);
   } catch (const std::bad_alloc&) {
     raise_error(c, GL_OUT_OF_MEMORY);

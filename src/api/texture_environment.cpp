@@ -5,6 +5,7 @@
 #include "dlist/dispatch.hpp"
 #include "execute/queries.hpp"
 #include "record/normalise.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -115,7 +116,7 @@ void tex_env(Context& c, GLenum target, GLenum name, Values values, bool vector)
   }
   if (error) return raise_error(c, error);
   if (environment == active_unit(c).environment) return;
-  texture_changes(c);
+  before_texture_change(c);
   active_unit(c).environment = environment;
 }
 

@@ -6,6 +6,7 @@
 #include "api/texture_targets.hpp"
 #include "dlist/dispatch.hpp"
 #include "execute/queries.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -62,7 +63,7 @@ void tex_gen(Context& c, GLenum coordinate_name, GLenum name, Values values, boo
     default: return raise_error(c, GL_INVALID_ENUM);
   }
   if (changed == *coordinate) return;
-  if (coordinate->enabled) texture_changes(c);
+  if (coordinate->enabled) before_texture_change(c);
   *coordinate = changed;
 }
 

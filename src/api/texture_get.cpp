@@ -7,6 +7,7 @@
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
 #include "execute/queries.hpp"
+#include "record/pending.hpp"
 #include "texture/compressed_format.hpp"
 #include "texture/pixel_format.hpp"
 
@@ -68,8 +69,8 @@ GLint size_of(Context& c, const ImageTarget& target, GLint level, const TextureI
   if (channel < 0) return 0;
   const auto index = static_cast<unsigned>(channel);
   if (target.proxy) return es_channel_bits(image.format.es)[index];
-  return c.backend->textures().channel_bits({bound_texture(c, target.target), target.face, level},
-                                            index);
+  return c.driver->textures.channel_bits({bound_texture(c, target.target), target.face, level},
+                                         index);
 }
 
 GLenum read_level(Context& c, const ImageTarget& target, GLint level, GLenum name, GLint& value) {
@@ -158,7 +159,7 @@ void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, G
   if (words && image.format.core != kDepth24Stencil8) return raise_error(c, GL_INVALID_OPERATION);
   if (format == GL_COLOR_INDEX || depth != (words || format == GL_DEPTH_COMPONENT))
     return raise_error(c, GL_INVALID_OPERATION);
-  if (depth && c.backend->driver.is_es()) {
+  if (depth && c.driver->functions.is_es()) {
     diagnose(c, "glGetTexImage: this driver (OpenGL ES) reads colours alone");
     return raise_error(c, GL_INVALID_OPERATION);
   }
@@ -169,9 +170,9 @@ void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, G
   const ImageSize size{image.width, image.height, image.depth};
   try {
     if (words)
-      return pack_words(store, size, c.backend->textures().read_depth_stencil(place),
+      return pack_words(store, size, c.driver->textures.read_depth_stencil(place),
                         static_cast<std::byte*>(pixels));
-    std::vector<float> colors = c.backend->textures().read(place);
+    std::vector<float> colors = c.driver->textures.read(place);
     // Luminance is the red component here, and not a sum as glReadPixels has it.
     if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA)
       for (std::size_t i = 0; i < colors.size(); i += 4) colors[i + 1] = colors[i + 2] = 0;

@@ -2,13 +2,13 @@
 
 #include <bit>
 
+#include "record/pending.hpp"
 #include "texture/compressed_format.hpp"
 
 namespace legacy_gl {
 
 GLenum level_error(const Context& context, const ImageTarget& target, GLint level) {
-  const auto largest =
-      static_cast<unsigned>(context.backend->textures().largest_size(target.target));
+  const auto largest = static_cast<unsigned>(context.driver->textures.largest_size(target.target));
   const auto levels = static_cast<GLint>(std::bit_width(largest));
   return level < 0 || level >= levels || level >= static_cast<GLint>(kMaxTextureLevels)
              ? GLenum{GL_INVALID_VALUE}
@@ -45,7 +45,7 @@ GLenum new_image_error(const Context& context, const NewImage& image) {
       size.depth < 0)
     return GL_INVALID_VALUE;
   if (bytes_of_block(image.internal_format)) {
-    if (!context.backend->textures().offers_s3tc()) return GL_INVALID_VALUE;
+    if (!context.driver->textures.offers_s3tc()) return GL_INVALID_VALUE;
     if (image.target.target != kTexture2D && image.target.target != kTextureCube)
       return GL_INVALID_ENUM;  // EXT_texture_compression_s3tc
   }
@@ -58,8 +58,8 @@ GLenum new_image_error(const Context& context, const NewImage& image) {
 }
 
 bool image_fits(const Context& context, const NewImage& image) {
-  return context.backend->textures().fits(image.target.target, image.level,
-                                          size_without_border(image));
+  return context.driver->textures.fits(image.target.target, image.level,
+                                       size_without_border(image));
 }
 
 namespace {
@@ -83,7 +83,7 @@ namespace {
 /// Where the driver compresses nothing, such images have the format that is stored.
 NewImage as_stored(const Context& context, const NewImage& image) {
   NewImage stored = image;
-  if (bytes_of_block(image.internal_format) && context.backend->driver.is_es())
+  if (bytes_of_block(image.internal_format) && context.driver->functions.is_es())
     stored.internal_format =
         static_cast<GLint>(base_format_name(find_texture_format(image.internal_format).base));
   return stored;
@@ -102,7 +102,7 @@ void define_compressed_proxy(Context& context, const NewImage& image) {
 }
 
 void define_image(Context& context, const NewImage& image, const Texels* texels) {
-  texture_changes(context);
+  before_texture_change(context);
   const ImagePlace place{bound_texture(context, image.target.target), image.target.face,
                          image.level};
   const TextureImage defined = texture_image(as_stored(context, image));
@@ -110,14 +110,14 @@ void define_image(Context& context, const NewImage& image, const Texels* texels)
     place.texture.images.at(place.face, place.level) = {};
     return;
   }
-  if (!context.backend->textures().define(place, defined, texels))
+  if (!context.driver->textures.define(place, defined, texels))
     return raise_error(context, GL_OUT_OF_MEMORY);
   image_changed(context, place);
 }
 
 void define_compressed_image(Context& context, const NewImage& image, const void* data,
                              GLsizei bytes) {
-  texture_changes(context);
+  before_texture_change(context);
   const ImagePlace place{bound_texture(context, image.target.target), image.target.face,
                          image.level};
   const TextureImage defined = texture_image(image);
@@ -125,13 +125,13 @@ void define_compressed_image(Context& context, const NewImage& image, const void
     place.texture.images.at(place.face, place.level) = {};
     return;
   }
-  if (!context.backend->textures().define_compressed(place, defined, data, bytes))
+  if (!context.driver->textures.define_compressed(place, defined, data, bytes))
     return raise_error(context, GL_OUT_OF_MEMORY);
   image_changed(context, place);
 }
 
 bool refuses_texels(Context& context, const TextureImage& image) {
-  if (!bytes_of_block(image.internal_format) || !context.backend->driver.is_es()) return false;
+  if (!bytes_of_block(image.internal_format) || !context.driver->functions.is_es()) return false;
   diagnose(context, "this driver (OpenGL ES) neither compresses texels nor gives them back");
   raise_error(context, GL_INVALID_OPERATION);
   return true;
@@ -160,11 +160,11 @@ void image_changed(Context& context, const ImagePlace& place) {
   TextureObject& texture = place.texture;
   if (!texture.parameters.generate_mipmap || place.level != texture.base_level()) return;
   const TextureImage& image = texture.images.at(place.face, place.level);
-  if (bytes_of_block(image.internal_format) && context.backend->driver.is_es()) return;
+  if (bytes_of_block(image.internal_format) && context.driver->functions.is_es()) return;
   // A cube map whose faces do not yet agree has no levels to make.
   TextureParameters base_only = texture.parameters;
   base_only.min_filter = GL_LINEAR;
-  if (texture.images.complete(base_only)) context.backend->textures().generate_mipmap(texture);
+  if (texture.images.complete(base_only)) context.driver->textures.generate_mipmap(texture);
 }
 
 }  // namespace legacy_gl

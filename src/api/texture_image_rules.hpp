@@ -1,7 +1,7 @@
 #pragma once
 // What glTexImage, glCopyTexImage and their parts have in common.
 #include "api/texture_targets.hpp"
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
 
 namespace legacy_gl {
 

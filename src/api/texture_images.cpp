@@ -5,6 +5,7 @@
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
+#include "record/pending.hpp"
 #include "texture/pixel_format.hpp"
 #include "texture/recorded_pixels.hpp"
 
@@ -43,7 +44,7 @@ Texels image_texels(const Context& c, const ImageCall& call, const PixelStore& s
                     const void* pixels, const ImageSize& size, BaseFormat base) {
   if (!is_depth_stencil(call))
     return unpack_texels(store, pixels, size, call.format, call.type, base,
-                         c.backend->textures().takes_bytes_only(), c.pixels);
+                         c.driver->textures.takes_bytes_only(), c.pixels);
   RecordedPixels words = record_pixels(store, pixels, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
   if (store.swap_bytes)
     for (std::size_t i = 0; i < words.bytes.size(); i += 4)
@@ -81,9 +82,9 @@ void replace(Context& c, const ImageCall& call, const PixelStore& store, const v
   if ((base == BaseFormat::kDepth) != has_depth(call)) return raise_error(c, GL_INVALID_OPERATION);
   if (refuses_texels(c, place.texture.images.at(place.face, place.level))) return;
   if (!pixels || !call.size.texels()) return;
-  texture_changes(c);
-  c.backend->textures().replace(place, call.offset, call.size,
-                                image_texels(c, call, store, pixels, call.size, base));
+  before_texture_change(c);
+  c.driver->textures.replace(place, call.offset, call.size,
+                             image_texels(c, call, store, pixels, call.size, base));
   image_changed(c, place);
 }
 
@@ -129,7 +130,7 @@ void image_call(const ImageCall& call, const void* pixels) {
   if (!context) return report_no_context();
   const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
   const bool proxy = target && target->proxy;  // executed at once (GL 2.1 spec 5.4)
-  if (context->lists.compiling && !proxy) return record_image(*context, call, pixels);
+  if (context->list_modes.compiling && !proxy) return record_image(*context, call, pixels);
   execute(*context, call, context->unpack, pixels);
 }
 

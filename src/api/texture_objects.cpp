@@ -1,7 +1,8 @@
 // GL 2.1 spec 3.8.12: texture objects.
 #include "api/texture_targets.hpp"
 #include "dlist/dispatch.hpp"
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -12,7 +13,7 @@ void bind(Context& c, TextureUnit& unit, const TexturePointer& texture) {
   // What another context changed shows after binding (GL 2.1 spec D.3).
   const bool shared = c.texture.names.use_count() > 1;
   if (bound == texture && !shared) return;
-  if (unit.enabled[texture->target]) texture_changes(c);
+  if (unit.enabled[texture->target]) before_texture_change(c);
   bound = texture;
 }
 

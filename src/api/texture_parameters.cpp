@@ -5,8 +5,9 @@
 #include "api/scalar_parameters.hpp"
 #include "api/texture_targets.hpp"
 #include "dlist/dispatch.hpp"
+#include "driver/driver_objects.hpp"
 #include "record/normalise.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
 
 using namespace legacy_gl;
 
@@ -93,10 +94,10 @@ void tex_parameter(Context& c, GLenum target_name, GLenum name, Values values, b
   TextureParameters parameters = texture.parameters;
   if (const GLenum error = set(parameters, name, values)) return raise_error(c, error);
   if (parameters == texture.parameters) return;
-  texture_changes(c);
+  before_texture_change(c);
   texture.parameters = parameters;
   texture.parameters_stale = true;
-  if (!c.backend->textures().has_border_color() &&
+  if (!c.driver->textures.has_border_color() &&
       std::count(parameters.wrap.begin(), parameters.wrap.end(), GL_CLAMP_TO_BORDER))
     diagnose(
         c, "glTexParameter: this driver (OpenGL ES) has no border colour; the edge stands for it");

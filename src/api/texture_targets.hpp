@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "context/context.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 

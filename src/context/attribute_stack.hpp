@@ -14,8 +14,6 @@
 #include "state/raster.hpp"
 #include "texture/texture_state.hpp"
 
-struct legacy_gl_context;
-
 namespace legacy_gl {
 
 /// What GL_TRANSFORM_BIT saves; the matrices have stacks of their own.
@@ -88,14 +86,5 @@ struct AttributeStacks {
   LevelStack<SavedAttributes> server;
   LevelStack<SavedClientAttributes> client;
 };
-
-void save_attributes(legacy_gl_context& context, GLbitfield mask, SavedAttributes& level);
-/// Stores what differs, by way of the setters' comparisons: what is the same again costs nothing at
-/// the next draw.
-void restore_attributes(legacy_gl_context& context, const SavedAttributes& level);
-
-void save_client_attributes(const legacy_gl_context& context, GLbitfield mask,
-                            SavedClientAttributes& level);
-void restore_client_attributes(legacy_gl_context& context, const SavedClientAttributes& level);
 
 }  // namespace legacy_gl

@@ -5,7 +5,6 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
-#include "context/context.hpp"
 #include "cpu_pipeline/lit_vertex.hpp"
 #include "cpu_pipeline/texture_coordinates.hpp"
 #include "cpu_pipeline/view_volume.hpp"
@@ -13,6 +12,7 @@
 #include "geometry/polygon_triangles.hpp"
 #include "geometry/unfilled.hpp"
 #include "geometry/window_coordinates.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "record/pending.hpp"
 #include "state/gl_types.hpp"
 
 struct legacy_gl_context;

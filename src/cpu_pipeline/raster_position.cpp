@@ -9,6 +9,7 @@
 #include "cpu_pipeline/texture_coordinates.hpp"
 #include "execute/lighting_setters.hpp"
 #include "geometry/window_coordinates.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl::execute {
 

@@ -3,9 +3,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "context/context.hpp"
 #include "cpu_pipeline/view_volume.hpp"
 #include "geometry/unfilled.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 

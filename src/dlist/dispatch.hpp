@@ -5,11 +5,16 @@
 #include <type_traits>
 
 #include "context/context.hpp"
+#include "dlist/list_state.hpp"
 
 namespace legacy_gl {
 
-/// Says once that an entry point was called without a current context.
-void report_no_context();
+/// The same while calls are executed at once; nullptr while a list is being compiled. One test of
+/// it is all that a call passes on its way.
+extern constinit thread_local Context* direct_context;
+
+/// Brings direct_context up to date: after a list is begun or ended, and while one is played.
+void update_direct_context();
 
 template <auto Execute, typename... Args>
 void play(Context& context, const void* payload) {
@@ -24,7 +29,7 @@ template <auto Execute, typename... Args>
   using Payload = std::tuple<Args...>;
   void* const payload = context->lists.append(&play<Execute, Args...>, sizeof(Payload));
   new (payload) Payload(args...);
-  if (context->lists.mode != GL_COMPILE) Execute(*context, args...);
+  if (context->list_modes.mode != GL_COMPILE) Execute(*context, args...);
 }
 
 /// Records Execute(args...) in the list being compiled; executes it unless the mode is GL_COMPILE.

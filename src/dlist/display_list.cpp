@@ -4,7 +4,7 @@
 #include <new>
 
 #include "geometry/list_mesh.hpp"
-#include "record/draw_mesh.hpp"
+#include "record/record_mesh.hpp"
 
 namespace legacy_gl {
 

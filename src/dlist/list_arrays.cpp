@@ -6,10 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "context/context.hpp"
+#include "dlist/list_state.hpp"
 #include "geometry/list_mesh.hpp"
 #include "geometry/primitives.hpp"
 #include "record/array_gather.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 

@@ -26,23 +26,15 @@ class ListNames {
 };
 
 struct ListState {
-  static constexpr unsigned kMaxNesting = 64;
-
   std::shared_ptr<ListNames> names = std::make_shared<ListNames>();
-  bool compiling = false;
-  GLenum mode = 0;
-  GLuint compiling_name = 0;
-  std::shared_ptr<DisplayList> compiling_list;
-  GLuint base = 0;
-  unsigned nesting = 0;
-
+  std::shared_ptr<DisplayList> compiling_list;  ///< nullptr while none is compiled
   ListWelder welder;
 
   /// glEnd was recorded.
   void weld() { welder.weld_last_primitive(*compiling_list); }
   /// What a recorded command points to lives as long as the list.
   void keep(std::shared_ptr<const void> object) {
-    if (compiling) compiling_list->keep(std::move(object));
+    if (compiling_list) compiling_list->keep(std::move(object));
   }
   void* append(PlayFunction play, std::size_t size) { return compiling_list->append(play, size); }
 };

@@ -4,7 +4,7 @@
 
 namespace legacy_gl {
 
-Bitmaps::~Bitmaps() {
+BitmapAtlas::~BitmapAtlas() {
   if (texture_) driver_.DeleteTextures(1, &texture_);
 }
 
@@ -18,7 +18,7 @@ void append_pixel_vertex(std::vector<float>& vertices, float x, float y, float s
                                    secondary.g, secondary.b, raster.distance});
 }
 
-std::optional<Bitmaps::Slot> Bitmaps::take_room(GLsizei width, GLsizei height) {
+std::optional<BitmapAtlas::Slot> BitmapAtlas::take_room(GLsizei width, GLsizei height) {
   if (shelf_x_ + width > kSide) {
     shelf_y_ += shelf_height_;
     shelf_x_ = shelf_height_ = 0;
@@ -30,7 +30,7 @@ std::optional<Bitmaps::Slot> Bitmaps::take_room(GLsizei width, GLsizei height) {
   return slot;
 }
 
-std::optional<Bitmaps::Slot> Bitmaps::find_or_store(const BitmapImage& image) {
+std::optional<BitmapAtlas::Slot> BitmapAtlas::find_or_store(const BitmapImage& image) {
   key_.assign(image.bits);
   for (const GLsizei side : {image.width, image.height})
     key_.append(reinterpret_cast<const char*>(&side), sizeof side);
@@ -52,7 +52,7 @@ std::optional<Bitmaps::Slot> Bitmaps::find_or_store(const BitmapImage& image) {
   return slot;
 }
 
-bool Bitmaps::add(const RasterPosition& raster, GLint x, GLint y, const BitmapImage& image) {
+bool BitmapAtlas::add(const RasterPosition& raster, GLint x, GLint y, const BitmapImage& image) {
   const std::optional<Slot> slot = find_or_store(image);
   if (!slot) return false;
   const auto corner = [&](GLsizei dx, GLsizei dy) {
@@ -68,12 +68,12 @@ bool Bitmaps::add(const RasterPosition& raster, GLint x, GLint y, const BitmapIm
   return true;
 }
 
-void Bitmaps::forget() {
+void BitmapAtlas::forget() {
   slots_.clear();
   shelf_x_ = shelf_y_ = shelf_height_ = 0;
 }
 
-void Bitmaps::bind() {
+void BitmapAtlas::bind() {
   if (!texture_) {
     driver_.GenTextures(1, &texture_);
     driver_.BindTexture(GL_TEXTURE_2D, texture_);

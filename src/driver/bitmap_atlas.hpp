@@ -11,14 +11,14 @@
 
 namespace legacy_gl {
 
-/// Bitmaps that wait to be drawn together, and the texture that keeps those that were drawn before:
-/// a glyph is unpacked once, and a text is one draw.
-class Bitmaps {
+/// BitmapAtlas that wait to be drawn together, and the texture that keeps those that were drawn
+/// before: a glyph is unpacked once, and a text is one draw.
+class BitmapAtlas {
  public:
-  explicit Bitmaps(const Driver& driver) : driver_(driver) {}
-  ~Bitmaps();
-  Bitmaps(const Bitmaps&) = delete;
-  Bitmaps& operator=(const Bitmaps&) = delete;
+  explicit BitmapAtlas(const Driver& driver) : driver_(driver) {}
+  ~BitmapAtlas();
+  BitmapAtlas(const BitmapAtlas&) = delete;
+  BitmapAtlas& operator=(const BitmapAtlas&) = delete;
 
   /// No side of a part is longer.
   static constexpr GLsizei kMaxSide = 512;

@@ -11,7 +11,7 @@
 namespace legacy_gl {
 
 /// A closed mesh's triangles, and those of them that were drawn last.
-struct KeptSurface {
+struct CachedVisibleTriangles {
   std::shared_ptr<const Surface> surface;
   std::optional<SurfaceView> view;
   GLuint index_buffer = 0, array = 0;
@@ -26,7 +26,7 @@ class MeshBuffers {
     std::weak_ptr<const ListMesh> mesh;
     GLuint vertex_buffer = 0, index_buffer = 0, array = 0;
     unsigned draws = 0;  ///< so far, until it is looked at whether the mesh is closed
-    std::unique_ptr<KeptSurface> surface;
+    std::unique_ptr<CachedVisibleTriangles> surface;
   };
 
   explicit MeshBuffers(const Driver& driver) : driver_(driver) {}

@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "translate/draw_inputs.hpp"
-
 namespace legacy_gl {
 
 namespace {

@@ -43,7 +43,7 @@ GLuint build_vertex_array(const Driver& driver, const VertexLayout& layout, GLui
   };
   attribute(kLocationPosition, offsets.position_size, 0);
   if (layout.fields & kFieldNormal) attribute(kLocationNormal, 3, offsets.normal);
-  if (layout.fields & (kFieldColor | kFieldLit)) attribute(kLocationColor, 4, offsets.color);
+  if (layout.fields & (kFieldColor | kFieldShaded)) attribute(kLocationColor, 4, offsets.color);
   if (layout.fields & kFieldSecondaryColor)
     attribute(kLocationSecondaryColor, 3, offsets.secondary_color);
   if (layout.fields & kFieldFogCoord) attribute(kLocationFogCoord, 1, offsets.fog_coord);

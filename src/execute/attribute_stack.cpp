@@ -1,10 +1,10 @@
-#include "context/attribute_stack.hpp"
+#include "execute/attribute_stack.hpp"
 
-#include "context/context.hpp"
+#include "driver/driver_objects.hpp"
 #include "execute/capabilities.hpp"
 #include "execute/framebuffer.hpp"
 #include "execute/lighting_setters.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 
@@ -58,7 +58,7 @@ void save_textures(const Context& context, TextureGroup& saved) {
 void restore_textures(Context& context, const TextureGroup& saved) {
   context.active_texture = saved.active_texture;
   if (!(context.texture.units == saved.units)) {
-    texture_changes(context);
+    before_texture_change(context);
     context.texture.units = saved.units;
   }
   for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
@@ -67,7 +67,7 @@ void restore_textures(Context& context, const TextureGroup& saved) {
       const TextureParameters& parameters = saved.parameters[unit][target];
       const bool deleted = bound->name && context.texture.names->find(bound->name) != bound;
       if (!deleted && bound->parameters == parameters) continue;
-      texture_changes(context);
+      before_texture_change(context);
       if (deleted) {
         bound = context.texture.defaults[target];
         continue;
@@ -79,7 +79,7 @@ void restore_textures(Context& context, const TextureGroup& saved) {
 
 /// A buffer object that was deleted since the push does not come back.
 void forget_deleted_buffers(Context& context) {
-  BufferObjects& buffers = context.backend->buffers();
+  BufferObjects& buffers = context.driver->buffers;
   ClientArrays& arrays = context.arrays;
   if (!buffers.find(arrays.array_buffer)) arrays.array_buffer = 0;
   if (!buffers.find(arrays.element_buffer)) arrays.element_buffer = 0;
@@ -105,7 +105,7 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
   level.fog = context.fog;
   level.accumulation = context.accumulation;
   level.hints = context.hints;
-  level.list_base = context.lists.base;
+  level.list_base = context.list_modes.base;
   if (mask & GL_TEXTURE_BIT) save_textures(context, level.texture);
   level.color_sum_enabled = context.color_sum_enabled;
   level.read_buffer = context.read_buffer;
@@ -136,7 +136,7 @@ void restore_attributes(Context& context, const SavedAttributes& level) {
   if (mask & GL_EVAL_BIT) context.evaluators.modes = level.evaluators;
   if (mask & GL_ACCUM_BUFFER_BIT) context.accumulation = level.accumulation;
   if (mask & GL_HINT_BIT) context.hints = level.hints;
-  if (mask & GL_LIST_BIT) context.lists.base = level.list_base;
+  if (mask & GL_LIST_BIT) context.list_modes.base = level.list_base;
   if (mask & GL_TEXTURE_BIT) restore_textures(context, level.texture);
   if (mask & GL_PIXEL_MODE_BIT) {
     context.pixels.transfer = level.pixel_transfer;

@@ -1,4 +1,5 @@
 #include "execute/attributes.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl::execute {
 

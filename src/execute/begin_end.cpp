@@ -1,4 +1,5 @@
 #include "execute/begin_end.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl::execute {
 

@@ -3,8 +3,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "driver/driver_objects.hpp"
 #include "execute/lighting_setters.hpp"
-#include "submit/backend.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 
@@ -66,7 +67,7 @@ constexpr GLenum kTextureEnables[] = {GL_TEXTURE_1D,       GL_TEXTURE_2D,    GL_
 
 void enable_texture(Context& context, bool& flag, bool enabled) {
   if (flag == enabled) return;
-  texture_changes(context);
+  before_texture_change(context);
   flag = enabled;
 }
 
@@ -220,7 +221,7 @@ bool set_capability(Context& context, GLenum capability, bool enabled) {
   }
   bool* const flag = raster_flag(context.raster, capability);
   if (!flag) return false;
-  if (enabled && is_missing_in_es(capability) && context.backend->driver.is_es())
+  if (enabled && is_missing_in_es(capability) && context.driver->functions.is_es())
     diagnose(context, in_words("glEnable(0x%04X) has no effect on OpenGL ES", capability));
   std::uint32_t dirty = kDirtyRaster;
   if (capability == GL_CULL_FACE) dirty |= kDirtyKey;

@@ -1,6 +1,7 @@
 // Grids of evaluated points (GL 2.1 spec 5.1).
 #include "execute/begin_end.hpp"
 #include "execute/eval_coord.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 
@@ -10,7 +11,7 @@ namespace {
 
 GLint driver_integer(const Context& context, GLenum name) {
   GLint value = 0;
-  context.backend->driver.GetIntegerv(name, &value);
+  context.driver->functions.GetIntegerv(name, &value);
   return value;
 }
 
@@ -41,7 +42,7 @@ ChannelNames names_of(FramebufferChannel channel) {
 
 /// The front buffer of a window is out of reach for OpenGL ES.
 bool has_front(const Context& context) {
-  return !context.backend->driver.is_es() || draws_to_framebuffer_object(context);
+  return !context.driver->functions.is_es() || draws_to_framebuffer_object(context);
 }
 
 /// A colour attachment of a framebuffer object.
@@ -51,7 +52,7 @@ bool is_attachment(GLenum mode) { return mode - GL_COLOR_ATTACHMENT0 < 16; }
 GLenum driver_buffer(const Context& context, GLenum mode) {
   if (mode == GL_NONE || is_attachment(mode)) return mode;
   if (draws_to_framebuffer_object(context)) return GL_COLOR_ATTACHMENT0;
-  if (context.backend->driver.is_es()) return GL_BACK;
+  if (context.driver->functions.is_es()) return GL_BACK;
   return mode == GL_BACK && !is_double_buffered(context) ? GLenum{GL_FRONT} : mode;
 }
 
@@ -69,7 +70,7 @@ GLenum multisampled_object_error(const Context& context) {
 }
 
 GLint framebuffer_bits(const Context& context, FramebufferChannel channel) {
-  const Driver& driver = context.backend->driver;
+  const Driver& driver = context.driver->functions;
   const ChannelNames names = names_of(channel);
   if (driver.is_es()) return driver_integer(context, names.bits);
   GLenum attachment = names.object_attachment;
@@ -89,12 +90,12 @@ GLint framebuffer_bits(const Context& context, FramebufferChannel channel) {
 bool is_double_buffered(const Context& context) {
   // A program that draws into a framebuffer object swaps by other means than ours, as EGL's windows
   // always do.
-  if (context.backend->driver.is_es() || draws_to_framebuffer_object(context)) return true;
+  if (context.driver->functions.is_es() || draws_to_framebuffer_object(context)) return true;
   return driver_integer(context, GL_DOUBLEBUFFER) != 0;
 }
 
 bool is_stereo(const Context& context) {
-  return !context.backend->driver.is_es() && driver_integer(context, GL_STEREO) != 0;
+  return !context.driver->functions.is_es() && driver_integer(context, GL_STEREO) != 0;
 }
 
 GLenum initial_color_buffer(const Context& context) {
@@ -137,14 +138,14 @@ void set_draw_buffer(Context& context, GLenum mode) {
   const GLenum chosen = driver_buffer(context, mode);
   flush_pending(context);
   context.raster.color_buffer.draw_buffer = mode;
-  const Driver& driver = context.backend->driver;
+  const Driver& driver = context.driver->functions;
   if (driver.DrawBuffer) driver.DrawBuffer(chosen);
   else if (driver.DrawBuffers) driver.DrawBuffers(1, &chosen);
 }
 
 void set_read_buffer(Context& context, GLenum mode) {
   context.read_buffer = mode;
-  context.backend->driver.ReadBuffer(driver_buffer(context, mode));
+  context.driver->functions.ReadBuffer(driver_buffer(context, mode));
 }
 
 }  // namespace legacy_gl

@@ -1,4 +1,5 @@
 #include "execute/lighting_setters.hpp"
+#include "record/pending.hpp"
 
 #include <cmath>
 #include <glm/matrix.hpp>
@@ -185,9 +186,9 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
   // Inside Begin/End the change is the vertices' from here on; outside, a batch that carries the
   // property anyway need not end.
   Recorder& recorder = context.recorder;
-  if (recorder.is_lit()) leave_lighting(context);
+  if (recorder.is_shaded()) before_lighting_change(context);
   else if (recorder.inside_begin_end()) recorder.carry_materials(context, changes);
-  else if (recorder.has_pending() && !light_object(context) &&
+  else if (recorder.has_pending() && !shade_pending(context) &&
            !carry_between_objects(context, changes))
     flush_pending(context);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)

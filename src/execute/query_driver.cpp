@@ -1,8 +1,8 @@
 // What glGet answers from the driver: its limits, and the bits of the framebuffer (GL 2.1 spec
 // tables 6.31 to 6.33).
+#include "driver/driver_objects.hpp"
 #include "execute/framebuffer.hpp"
 #include "execute/queries.hpp"
-#include "submit/backend.hpp"
 #include "texture/compressed_format.hpp"
 
 namespace legacy_gl {
@@ -18,26 +18,26 @@ constexpr GLenum kDrawFramebufferBinding = 0x8CA6, kReadFramebufferBinding = 0x8
 template <GLenum Name, unsigned Count = 1>
 void driver_integers(Context& c, QueryValues& v) {
   std::array<GLint, Count> values{};
-  c.backend->driver.GetIntegerv(Name, values.data());
+  c.driver->functions.GetIntegerv(Name, values.data());
   v.put(values);
 }
 
 template <GLenum Name, unsigned Count = 1>
 void driver_floats(Context& c, QueryValues& v) {
   std::array<GLfloat, Count> values{};
-  c.backend->driver.GetFloatv(Name, values.data());
+  c.driver->functions.GetFloatv(Name, values.data());
   v.put(values);
 }
 
 /// OpenGL ES has no smooth points and lines: the aliased range, in steps of one.
 template <GLenum DesktopName, GLenum EsName>
 void size_range(Context& c, QueryValues& v) {
-  if (c.backend->driver.is_es()) driver_floats<EsName, 2>(c, v);
+  if (c.driver->functions.is_es()) driver_floats<EsName, 2>(c, v);
   else driver_floats<DesktopName, 2>(c, v);
 }
 template <GLenum DesktopName>
 void size_granularity(Context& c, QueryValues& v) {
-  if (c.backend->driver.is_es()) v.put(1);
+  if (c.driver->functions.is_es()) v.put(1);
   else driver_floats<DesktopName>(c, v);
 }
 
@@ -72,10 +72,10 @@ void accumulation_bits(Context& c, QueryValues& v) {
 constexpr GLenum kCompressedFormats[] = {kRgbDxt1, kRgbaDxt3, kRgbaDxt5};
 constexpr Query kCompression[] = {
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.backend->textures().offers_s3tc() ? 3 : 0); }},
+     [](Context& c, QueryValues& v) { v.put(c.driver->textures.offers_s3tc() ? 3 : 0); }},
     {GL_COMPRESSED_TEXTURE_FORMATS, kInteger,
      [](Context& c, QueryValues& v) {
-       if (!c.backend->textures().offers_s3tc()) return;
+       if (!c.driver->textures.offers_s3tc()) return;
        for (const GLenum format : kCompressedFormats) v.put(format);
      }},
 };

@@ -343,11 +343,12 @@ constexpr Query kSelection[] = {
 };
 
 constexpr Query kListsAndHints[] = {
-    {GL_LIST_BASE, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.base); }},
-    {GL_LIST_INDEX, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.compiling_name); }},
-    {GL_LIST_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.lists.mode); }},
+    {GL_LIST_BASE, kInteger, [](Context& c, QueryValues& v) { v.put(c.list_modes.base); }},
+    {GL_LIST_INDEX, kInteger,
+     [](Context& c, QueryValues& v) { v.put(c.list_modes.compiling_name); }},
+    {GL_LIST_MODE, kInteger, [](Context& c, QueryValues& v) { v.put(c.list_modes.mode); }},
     {GL_MAX_LIST_NESTING, kInteger,
-     [](Context&, QueryValues& v) { v.put(ListState::kMaxNesting); }},
+     [](Context&, QueryValues& v) { v.put(ListModes::kMaxNesting); }},
     {GL_PERSPECTIVE_CORRECTION_HINT, kInteger,
      [](Context& c, QueryValues& v) { v.put(c.hints.perspective_correction); }},
     {GL_POINT_SMOOTH_HINT, kInteger,

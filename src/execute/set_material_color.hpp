@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "context/context.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 
@@ -29,7 +29,7 @@ namespace legacy_gl {
     return false;
   const Recorder& recorder = context.recorder;
   if (!recorder.is_idle()) [[unlikely]] {
-    if (!recorder.all_lit()) return false;
+    if (!recorder.all_shaded()) return false;
   }
   float* const stored =
       reinterpret_cast<float*>(&context.lighting.materials[face - GL_FRONT]) + 4 * property;

@@ -76,7 +76,7 @@ void ListMesh::finish() {
       largest_color =
           std::max({largest_color, std::abs(color[0]), std::abs(color[1]), std::abs(color[2])});
   }
-  if (vertex_count() > Recorder::kSmallObject) return;
+  if (vertex_count() > kSmallDrawVertices) return;
   for (const PrimitiveRun& run : runs)
     if (!append_triangles(run, elements, triangles)) return triangles.clear();
   object_surface_ = std::make_shared<FoundObjectSurface>();

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/primitive_run.hpp"
 #include "geometry/vertex_layout.hpp"
-#include "record/recorder.hpp"
 
 namespace legacy_gl {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "record/recorder.hpp"
+#include "geometry/primitive_run.hpp"
 
 namespace legacy_gl {
 

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <cstring>
 
-#include "context/context.hpp"
-
 namespace legacy_gl {
 
 namespace {
@@ -54,7 +52,9 @@ Int4 tiny_lanes(const std::byte* from) {
   return reinterpret_cast<const Int4&>(bits) < kLimit;
 }
 
-/// Strides in bytes; memory of the application need not be aligned.
+}  // namespace
+
+// Memory of the application need not be aligned.
 bool has_tiny_floats(const std::byte* from, std::size_t stride, std::uint32_t count) {
   if (count == 0) return false;
   Int4 found{};
@@ -78,17 +78,9 @@ bool has_tiny_doubles(const std::byte* normals, std::size_t stride, std::uint32_
   return false;
 }
 
-}  // namespace
-
 bool has_tiny_components(const float* normals, std::size_t stride, std::uint32_t count) {
   return has_tiny_floats(reinterpret_cast<const std::byte*>(normals), stride * sizeof(float),
                          count);
-}
-
-bool has_tiny_components(const ArrayView& normals, std::uint32_t first, std::uint32_t count) {
-  const std::byte* const from = normals.data + std::size_t{first} * normals.stride;
-  if (normals.type == GL_FLOAT) return has_tiny_floats(from, normals.stride, count);
-  return normals.type == GL_DOUBLE && has_tiny_doubles(from, normals.stride, count);
 }
 
 void enlarge_tiny_normals(float* normals, std::size_t stride, std::uint32_t count) {
@@ -96,9 +88,8 @@ void enlarge_tiny_normals(float* normals, std::size_t stride, std::uint32_t coun
   for (std::uint32_t i = 0; i < count; ++i) enlarge(normals + i * stride);
 }
 
-glm::vec3 current_normal_to_draw(const Context& context) {
-  glm::vec3 normal = context.current.normal;
-  if (context.transform.normalize_enabled) enlarge(&normal[0]);
+glm::vec3 enlarged_if_tiny(glm::vec3 normal) {
+  enlarge(&normal[0]);
   return normal;
 }
 

@@ -1,10 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-
-#include "record/array_reader.hpp"
-
-struct legacy_gl_context;
 
 namespace legacy_gl {
 
@@ -19,10 +16,11 @@ void enlarge_tiny_normals(float* normals, std::size_t stride, std::uint32_t coun
 /// Whether some component is so small that its normal may need it.
 bool has_tiny_components(const float* normals, std::size_t stride, std::uint32_t count);
 
-/// The same of a client array's elements first to first + count - 1, which are readable.
-bool has_tiny_components(const ArrayView& normals, std::uint32_t first, std::uint32_t count);
+/// The same of floats and of doubles anywhere in memory; the stride is in bytes.
+bool has_tiny_floats(const std::byte* normals, std::size_t stride, std::uint32_t count);
+bool has_tiny_doubles(const std::byte* normals, std::size_t stride, std::uint32_t count);
 
-/// The current normal as the driver is to get it.
-glm::vec3 current_normal_to_draw(const legacy_gl_context& context);
+/// One normal as the driver is to get it under GL_NORMALIZE.
+glm::vec3 enlarged_if_tiny(glm::vec3 normal);
 
 }  // namespace legacy_gl

@@ -6,7 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <vector>
 
-#include "record/recorder.hpp"
+#include "geometry/primitive_run.hpp"
+#include "geometry/vertex_layout.hpp"
 #include "state/raster.hpp"
 
 namespace legacy_gl {

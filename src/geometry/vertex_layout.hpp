@@ -24,7 +24,7 @@ enum VertexField : std::uint16_t {
   /// (x, y) and of the polygon (z).
   kFieldLineOffset = 512,
   /// Beside kFieldTransformed, alone: lit here. 4 floats, first the normal, in the end the colour.
-  kFieldLit = 1024,
+  kFieldShaded = 1024,
 };
 
 struct VertexLayout {
@@ -66,7 +66,7 @@ inline VertexOffsets offsets_of(const VertexLayout& layout) {
     offset = at;
     at += size;
   };
-  if (layout.fields & kFieldLit) {
+  if (layout.fields & kFieldShaded) {
     take(offsets.normal, 4);
     offsets.color = offsets.normal;
   }

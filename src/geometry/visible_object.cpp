@@ -21,7 +21,7 @@ Float4 round_of(const Float4& coordinate) {
 
 }  // namespace
 
-bool SeenObject::project(const ObjectSurface& surface, const Float4* clip, const View& view) {
+bool VisibleObject::project(const ObjectSurface& surface, const Float4* clip, const View& view) {
   const std::size_t count = surface.places.size();
   places_.resize(count);
   Float4 lowest = splat(std::numeric_limits<float>::infinity()), highest = -lowest;
@@ -45,7 +45,7 @@ bool SeenObject::project(const ObjectSurface& surface, const Float4* clip, const
 }
 
 /// The samples that are within reach_ of the way from a to b.
-void SeenObject::add_samples_near(const Place& a, const Place& b) {
+void VisibleObject::add_samples_near(const Place& a, const Place& b) {
   const float dx = b.x - a.x, dy = b.y - a.y;
   const bool steep = std::abs(dy) > std::abs(dx);
   const float from = steep ? a.y : a.x, to = steep ? b.y : b.x;  // along the longer axis
@@ -68,12 +68,12 @@ void SeenObject::add_samples_near(const Place& a, const Place& b) {
   }
 }
 
-bool SeenObject::may_cover_near_sample(const ScreenTriangle<Place>& triangle) const {
+bool VisibleObject::may_cover_near_sample(const ScreenTriangle<Place>& triangle) const {
   return std::any_of(near_samples_.begin(), near_samples_.end(),
                      [&](const Place& sample) { return triangle.may_contain(sample.x, sample.y); });
 }
 
-void SeenObject::find_hidden(const ObjectSurface& surface, Surface::Winding hidden) {
+void VisibleObject::find_hidden(const ObjectSurface& surface, Surface::Winding hidden) {
   const std::size_t count = surface.triangles.size();
   hidden_.resize(count);
   const float turn = hidden == Surface::Winding::kCounterclockwise ? 1.0f : -1.0f;
@@ -90,8 +90,8 @@ void SeenObject::find_hidden(const ObjectSurface& surface, Surface::Winding hidd
     if (hidden_[t] && may_cover_near_sample(triangle(surface, t))) hidden_[t] = 0;
 }
 
-const std::vector<std::uint16_t>& SeenObject::find(const ObjectSurface& surface, const Float4* clip,
-                                                   const View& view) {
+const std::vector<std::uint16_t>& VisibleObject::find(const ObjectSurface& surface,
+                                                      const Float4* clip, const View& view) {
   if (!project(surface, clip, view)) return all(surface);
   const std::size_t count = surface.triangles.size();
   if (reach_ < kMostReach && view.hidden != Surface::Winding::kOpen)
@@ -106,7 +106,7 @@ const std::vector<std::uint16_t>& SeenObject::find(const ObjectSurface& surface,
   return seen_;
 }
 
-const std::vector<std::uint16_t>& SeenObject::all(const ObjectSurface& surface) {
+const std::vector<std::uint16_t>& VisibleObject::all(const ObjectSurface& surface) {
   seen_.resize(surface.triangles.size());
   std::iota(seen_.begin(), seen_.end(), std::uint16_t{0});
   return seen_;

@@ -9,10 +9,10 @@
 
 namespace legacy_gl {
 
-/// Finds the triangles of a small object that may be seen: what SeenTriangles does for large ones,
-/// but exact at the outline. There the two sides of a closed surface meet, and where a sample is so
-/// near that rounding decides which is in front, the hidden one stays.
-class SeenObject {
+/// Finds the triangles of a small object that may be seen: what VisibleTriangles does for large
+/// ones, but exact at the outline. There the two sides of a closed surface meet, and where a sample
+/// is so near that rounding decides which is in front, the hidden one stays.
+class VisibleObject {
  public:
   struct View {
     ScreenScale screen;

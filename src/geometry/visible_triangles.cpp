@@ -17,7 +17,7 @@ enum : std::uint32_t {
 
 }  // namespace
 
-void SeenTriangles::project(const Surface& surface, const SurfaceView& view) {
+void VisibleTriangles::project(const Surface& surface, const SurfaceView& view) {
   places_.resize(surface.places.size());
   const Columns matrix = columns(view.to_clip);
   const ScreenScale screen(view.viewport);
@@ -38,22 +38,22 @@ void SeenTriangles::project(const Surface& surface, const SurfaceView& view) {
   }
 }
 
-bool SeenTriangles::is_dropped(const ScreenPlace& a, const ScreenPlace& b, const ScreenPlace& c,
-                               const SurfaceView& view) {
+bool VisibleTriangles::is_dropped(const ScreenPlace& a, const ScreenPlace& b, const ScreenPlace& c,
+                                  const SurfaceView& view) {
   if ((a.flags | b.flags | c.flags) & kUnsafe) return false;
   const ScreenTriangle<ScreenPlace> triangle{a, b, c};
   if (!triangle.has_side()) return false;
   return triangle.area > 0 ? view.drops_counterclockwise : view.drops_clockwise;
 }
 
-bool SeenTriangles::may_cover(const ScreenPlace& a, const ScreenPlace& b, const ScreenPlace& c) {
+bool VisibleTriangles::may_cover(const ScreenPlace& a, const ScreenPlace& b, const ScreenPlace& c) {
   if (a.flags & b.flags & c.flags & kBeyondAnyPlane) return false;
   if ((a.flags | b.flags | c.flags) & kUnsafe) return true;
   return ScreenTriangle<ScreenPlace>{a, b, c}.may_cover_sample();
 }
 
-void SeenTriangles::append(const Surface& surface, const SurfaceView& view,
-                           std::vector<std::uint32_t>& indices) {
+void VisibleTriangles::append(const Surface& surface, const SurfaceView& view,
+                              std::vector<std::uint32_t>& indices) {
   project(surface, view);
   const std::size_t triangles = surface.corners.size() / 3;
   const auto place = [&](std::size_t triangle, std::size_t corner) -> const ScreenPlace& {

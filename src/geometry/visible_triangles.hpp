@@ -23,7 +23,7 @@ struct SurfaceView {
 /// Finds the triangles that may cover a sample of the framebuffer: not beyond a clip plane, not a
 /// dropped side, not between the samples. A driver that computes on the CPU spends most of a scene
 /// of many small triangles on the others. In doubt a triangle counts as seen.
-class SeenTriangles {
+class VisibleTriangles {
  public:
   /// Appends the vertices of the triangles that may be seen, in their order.
   void append(const Surface& surface, const SurfaceView& view, std::vector<std::uint32_t>& indices);

@@ -13,7 +13,7 @@ ArrayGather::ArrayGather(const legacy_gl_context& context, const ArrayViews& vie
   const VertexOffsets offsets = offsets_of(layout);
   stride_ = offsets.stride;
   add(views, kVertexArray, 0, offsets.position_size);
-  if (layout.fields & (kFieldNormal | kFieldLit)) add(views, kNormalArray, offsets.normal, 3);
+  if (layout.fields & (kFieldNormal | kFieldShaded)) add(views, kNormalArray, offsets.normal, 3);
   if (layout.fields & kFieldColor) add(views, kColorArray, offsets.color, 4);
   if (layout.fields & kFieldSecondaryColor)
     add(views, kSecondaryColorArray, offsets.secondary_color, 3);

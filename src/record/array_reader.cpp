@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include "geometry/tiny_normals.hpp"
 
 #include "record/normalise.hpp"
 
@@ -81,6 +82,12 @@ ArrayView make_view(const ClientArray& array, const std::byte* data) {
   view.stride = array.stride ? static_cast<std::size_t>(array.stride)
                              : std::size_t{view.size} * type_size(array.type);
   return view;
+}
+
+bool has_tiny_components(const ArrayView& normals, std::uint32_t first, std::uint32_t count) {
+  const std::byte* const from = normals.data + std::size_t{first} * normals.stride;
+  if (normals.type == GL_FLOAT) return has_tiny_floats(from, normals.stride, count);
+  return normals.type == GL_DOUBLE && has_tiny_doubles(from, normals.stride, count);
 }
 
 }  // namespace legacy_gl

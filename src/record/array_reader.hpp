@@ -40,4 +40,8 @@ constexpr bool is_normalised(unsigned array) {
 /// The view of an array whose element 0 is at `data`.
 ArrayView make_view(const ClientArray& array, const std::byte* data);
 
+/// Whether some component of the normals first to first + count - 1, which are readable, is so
+/// small that the driver may take it for zero (geometry/tiny_normals.hpp).
+bool has_tiny_components(const ArrayView& normals, std::uint32_t first, std::uint32_t count);
+
 }  // namespace legacy_gl

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "context/context.hpp"
 #include "record/array_gather.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "geometry/primitive_run.hpp"
 #include "record/array_reader.hpp"
 
 struct legacy_gl_context;

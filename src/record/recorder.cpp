@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "context/context.hpp"
+#include "record/pending.hpp"
 
 namespace legacy_gl {
 
@@ -24,7 +24,7 @@ float* put(float* at, const V& value, unsigned size) {
 
 /// Everything behind the position.
 float* put_fields(const Context& context, const VertexLayout& layout, float* at) {
-  if (layout.fields & (kFieldNormal | kFieldLit)) at = put(at, context.current.normal, 3);
+  if (layout.fields & (kFieldNormal | kFieldShaded)) at = put(at, context.current.normal, 3);
   if (layout.fields & kFieldColor) at = put(at, context.current.color, 4);
   if (layout.fields & kFieldSecondaryColor) at = put(at, context.current.secondary_color, 3);
   if (layout.fields & kFieldFogCoord) *at++ = context.current.fog_coordinate;
@@ -59,21 +59,6 @@ bool joins(const PrimitiveRun& last, const PrimitiveRun& run) {
 
 }  // namespace
 
-std::uint32_t whole_primitives(GLenum mode, std::uint32_t count) {
-  switch (mode) {
-    case GL_LINES: return count - count % 2;
-    case GL_TRIANGLES: return count - count % 3;
-    case GL_QUADS: return count - count % 4;
-    case GL_LINE_STRIP:
-    case GL_LINE_LOOP: return count < 2 ? 0 : count;
-    case GL_TRIANGLE_STRIP:
-    case GL_TRIANGLE_FAN:
-    case GL_POLYGON: return count < 3 ? 0 : count;
-    case GL_QUAD_STRIP: return count < 4 ? 0 : count - count % 2;
-    default: return count;
-  }
-}
-
 VertexLayout Recorder::relevant_layout(const Context& context) {
   VertexLayout layout;
   if (context.lighting.enabled) {
@@ -86,7 +71,7 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
   if (context.fog.enabled && context.fog.coordinate_source == GL_FOG_COORD)
     layout.fields |= kFieldFogCoord;
   if (is_unfilled(context.raster.polygon)) layout.fields |= kFieldEdgeFlag;
-  if (const ActiveTextures& textures = active_textures(context); textures.mask) {
+  if (const ActiveTextures& textures = active_textures(context.texture); textures.mask) {
     if (textures.reads_normal) layout.fields |= kFieldNormal;
     layout.texcoords = textures.from_vertex;
     for (unsigned unit = 0; unit < textures.count; ++unit)
@@ -103,8 +88,9 @@ VertexLayout Recorder::relevant_layout(const Context& context) {
 
 void Recorder::start_batch(Context& context) {
   // A small object is not to be divided between two batches.
-  if (is_lit() && (recorded_floats() + std::size_t{kSmallObject} * kLitStride > kFlushFloats ||
-                   !stays_lit(context)))
+  if (is_shaded() &&
+      (recorded_floats() + std::size_t{kSmallDrawVertices} * kShadedStride > kFlushFloats ||
+       !shades_next_draw(context)))
     draw_pending(context);
   if (has_pending()) return;
   if (context.bitmaps_pending) draw_pending(context);
@@ -147,15 +133,15 @@ void Recorder::end_object(bool apart) {
   }
 }
 
-void Recorder::become_lit(Context& context) {
+void Recorder::become_shaded(Context& context) {
   VertexLayout lit;
-  lit.fields = kFieldTransformed | kFieldLit;
+  lit.fields = kFieldTransformed | kFieldShaded;
   if (has_pending()) return widen(context, lit);
   start_batch(context);
   set_layout(lit);
 }
 
-float* Recorder::append_lit(std::uint32_t count) {
+float* Recorder::append_shaded(std::uint32_t count) {
   reserve(count);
   float* const vertices = cursor_;
   cursor_ += std::size_t{count} * offsets_.stride;
@@ -208,7 +194,7 @@ void Recorder::set_layout(const VertexLayout& layout) {
   offsets_ = offsets_of(layout);
   materials_cached_ = false;
   shape_ = Shape::kOther;
-  if (layout.fields == (kFieldTransformed | kFieldLit)) shape_ = Shape::kLit;
+  if (layout.fields == (kFieldTransformed | kFieldShaded)) shape_ = Shape::kShaded;
   if (layout.materials || layout.wide_texcoords || layout.texcoords > 1) return;
   if (layout.texcoords) {
     if (layout.fields == kFieldNormal) shape_ = Shape::kNormalAndTexcoord;
@@ -268,7 +254,7 @@ void Recorder::vertex(Context& context, float x, float y, float z) {
       position();
       cursor_ = put(vertex + 3, context.current.normal, 3);
       break;
-    case Shape::kLit:
+    case Shape::kShaded:
       position();
       vertex[3] = 1;
       put(vertex + 4, context.current.normal, 3);
@@ -299,7 +285,7 @@ void Recorder::vertex(Context& context, float x, float y, float z) {
 /// What is complete of a long glBegin(GL_TRIANGLES) and its like is drawn while it is being given:
 /// it is still in the processor's caches, and the memory stays bounded.
 void Recorder::draw_part(Context& context) {
-  if (is_lit()) leave_lighting(context);  // the rest keeps its colours
+  if (is_shaded()) before_lighting_change(context);  // the rest keeps its colours
   const unsigned size = mode_ == GL_TRIANGLES ? 3 : mode_ == GL_LINES ? 2 : 1;
   const std::uint32_t rest = (vertex_count() - first_) % size;
   const std::size_t rest_floats = std::size_t{rest} * offsets_.stride;
@@ -313,7 +299,7 @@ void Recorder::draw_part(Context& context) {
     set_layout(layout);
     reserve(rest + 1);
     cursor_ = std::copy_n(kept.begin(), rest_floats, cursor_);
-    if (is_lit()) set_all_transformed();
+    if (is_shaded()) set_all_transformed();
   }
 }
 
@@ -472,27 +458,6 @@ void Recorder::carry_wide_texcoords(Context& context, unsigned unit) {
   if (layout != layout_) widen(context, layout);
 }
 
-void Recorder::forget_part() {
-  set_activity(kGoesOn, true);
-  joining_ = false;
-  objects_ = object_first_ = first_untransformed_ = 0;
-  object_run_ = 0;
-  runs_.clear();
-  runs_changed();
-  elements_.clear();
-  cursor_ = storage_.get();
-}
-
-void Recorder::load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
-                    const PrimitiveRun* runs, std::size_t run_count) {
-  set_layout(layout);
-  cursor_ = storage_.get();
-  reserve(count);
-  cursor_ = std::copy_n(vertices, std::size_t{count} * offsets_.stride, cursor_);
-  runs_.assign(runs, runs + run_count);
-  runs_changed();
-}
-
 void Recorder::clear() {
   if (tried_joining_) {
     // Three objects in a batch pay for the trouble; otherwise it is tried ever more rarely.
@@ -503,7 +468,6 @@ void Recorder::clear() {
     usual_materials_ = paid ? layout_.materials : MaterialMask{0};
   }
   tried_joining_ = false;
-  set_activity(kGoesOn, false);
   objects_ = object_first_ = first_untransformed_ = 0;
   object_run_ = 0;
   runs_.clear();

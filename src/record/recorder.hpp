@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/primitive_run.hpp"
 #include "geometry/vertex_layout.hpp"
 #include "state/gl_types.hpp"
 
@@ -12,23 +13,12 @@ struct legacy_gl_context;
 
 namespace legacy_gl {
 
-/// Vertices `first` to `first + count - 1` of the batch, drawn as one or more primitives of `mode`.
-/// An indexed run counts elements() instead, each of which names a vertex of the batch.
-struct PrimitiveRun {
-  GLenum mode = GL_POINTS;
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-  bool indexed = false;
-  /// Crosses the border of the view: drivers clip all that they draw together with it.
-  bool apart = false;
-};
-
 /// Records glBegin/glEnd. Pairs that no state change separates join one batch, which is drawn when
 /// a state changes, when it is large, or when the program asks for pixels.
 class Recorder {
  public:
   bool inside_begin_end() const { return activity_ & kInside; }
-  bool has_pending() const { return activity_ & (kRuns | kGoesOn); }
+  bool has_pending() const { return activity_ & kRuns; }
   bool is_idle() const { return activity_ == 0; }
 
   void begin(legacy_gl_context& context, GLenum mode);
@@ -52,14 +42,13 @@ class Recorder {
   /// now.
   void carry_materials(legacy_gl_context& context, MaterialMask mask);
 
-  /// Objects: what lies between changes of matrix or material. Small ones join one batch, unless
-  /// that was tried and nothing came of it.
-  static constexpr std::uint32_t kSmallObject = 128;
   /// A new object may join the batch, or begin one that others join.
   bool joins_objects(const legacy_gl_context& context);
   /// The pending batch goes on after a change: its last object is small. Otherwise it is to be
   /// drawn.
-  bool object_may_end() const { return joining_ && vertex_count() - object_first_ <= kSmallObject; }
+  bool object_may_end() const {
+    return joining_ && vertex_count() - object_first_ <= kSmallDrawVertices;
+  }
   /// `apart`: as PrimitiveRun says.
   void end_object(bool apart = false);
   /// Takes back the last vertices, which no primitive names yet.
@@ -71,18 +60,18 @@ class Recorder {
   /// Vertices from this one on are not transformed yet, in a batch of kFieldTransformed.
   std::uint32_t first_untransformed() const { return first_untransformed_; }
   void set_all_transformed() { first_untransformed_ = vertex_count(); }
-  /// A batch of kFieldLit.
-  bool is_lit() const { return !is_idle() && layout_.fields & kFieldLit; }
+  /// A batch of kFieldShaded.
+  bool is_shaded() const { return !is_idle() && layout_.fields & kFieldShaded; }
   /// One whose vertices neither matrices nor lights nor materials change any more.
-  bool all_lit() const {
-    return is_lit() && !inside_begin_end() &&
-           recorded_floats() == std::size_t{first_untransformed_} * kLitStride;
+  bool all_shaded() const {
+    return is_shaded() && !inside_begin_end() &&
+           recorded_floats() == std::size_t{first_untransformed_} * kShadedStride;
   }
-  static constexpr unsigned kLitStride = 8;  ///< position and colour
-  /// The batch, an empty one or one of positions and normals, becomes one of kFieldLit.
-  void become_lit(legacy_gl_context& context);
+  static constexpr unsigned kShadedStride = 8;  ///< position and colour
+  /// The batch, an empty one or one of positions and normals, becomes one of kFieldShaded.
+  void become_shaded(legacy_gl_context& context);
   /// Room for vertices that are lit already; follow with append_elements.
-  float* append_lit(std::uint32_t count);
+  float* append_shaded(std::uint32_t count);
   /// What is not transformed yet.
   struct Object {
     std::uint32_t first_vertex, vertex_count;
@@ -112,16 +101,6 @@ class Recorder {
   static void put_current(const legacy_gl_context& context, const VertexLayout& layout,
                           float* vertices, std::uint32_t count);
 
-  /// Forgets the vertices that it has, of a batch that goes on: they are drawn, or kept elsewhere
-  /// (RepeatedBatches).
-  void forget_part();
-  /// Vertices of the batch are forgotten, and not all of them are drawn.
-  bool goes_on() const { return activity_ & kGoesOn; }
-  void set_goes_on(bool goes_on) { set_activity(kGoesOn, goes_on); }
-  /// Takes these vertices in place of its own.
-  void load(const VertexLayout& layout, const float* vertices, std::uint32_t count,
-            const PrimitiveRun* runs, std::size_t run_count);
-
   /// Draws the batch when it has become large.
   void flush_if_large(legacy_gl_context& context);
 
@@ -144,16 +123,15 @@ class Recorder {
   enum class Shape : std::uint8_t {
     kOther,
     kNormal,
-    kLit,
+    kShaded,
     kColor,
     kNormalAndColor,
     kNormalAndTexcoord,
     kColorAndTexcoord
   };
 
-  /// What is under way, in one byte that calls look at: inside Begin/End; there are runs; vertices
-  /// of the batch before these are forgotten.
-  enum Activity : std::uint8_t { kInside = 1, kRuns = 2, kGoesOn = 4 };
+  /// What is under way, in one byte that calls look at: inside Begin/End; there are runs.
+  enum Activity : std::uint8_t { kInside = 1, kRuns = 2 };
   void set_activity(Activity what, bool on) {
     activity_ = static_cast<std::uint8_t>(on ? activity_ | what : activity_ & ~what);
   }
@@ -196,8 +174,5 @@ class Recorder {
   std::vector<PrimitiveRun> runs_;
   std::vector<std::uint32_t> elements_;
 };
-
-/// Vertices at the end of a run that complete no primitive are dropped (GL 2.1 spec 2.6.1).
-std::uint32_t whole_primitives(GLenum mode, std::uint32_t count);
 
 }  // namespace legacy_gl

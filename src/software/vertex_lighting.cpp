@@ -110,7 +110,7 @@ Float4 power_of_complement(const Float4& q, float exponent, unsigned amplify) {
 
 class Lighter {
  public:
-  Lighter(const Derived& derived, unsigned face, LightingBlock& block)
+  Lighter(const DrawInputs& derived, unsigned face, LightingBlock& block)
       : key_(derived.key),
         transform_(derived.transform),
         uniforms_(derived.faces[face]),
@@ -119,7 +119,7 @@ class Lighter {
         position_{load(block.position[0]), load(block.position[1]), load(block.position[2])},
         normal_{load(block.normal[0]), load(block.normal[1]), load(block.normal[2])} {}
 
-  void light(const Derived& derived, LightingBlock& block) {
+  void light(const DrawInputs& derived, LightingBlock& block) {
     choose_space();
     Vector sum = vector_of(uniforms_.head.scene);
     std::size_t at = 0;
@@ -252,7 +252,7 @@ bool lights_blocks(const ProgramKey& key) {
   return key.space != LightingSpace::kEyeHomogeneous && rest == lit;
 }
 
-void light_block(const Derived& derived, unsigned face, LightingBlock& block) {
+void light_block(const DrawInputs& derived, unsigned face, LightingBlock& block) {
   Lighter(derived, face, block).light(derived, block);
 }
 

@@ -18,6 +18,6 @@ struct LightingBlock {
 bool lights_blocks(const ProgramKey& key);
 
 /// `derived` holds the values of the state and of `face`.
-void light_block(const Derived& derived, unsigned face, LightingBlock& block);
+void light_block(const DrawInputs& derived, unsigned face, LightingBlock& block);
 
 }  // namespace legacy_gl

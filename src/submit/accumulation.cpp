@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "submit/backend.hpp"
+#include "submit/accumulation.hpp"
+
+#include "submit/pixels.hpp"
+#include "submit/submission.hpp"
 
 namespace legacy_gl {
 
@@ -27,21 +30,25 @@ PixelRectangle accumulated_area(const RasterState& raster) {
 
 }  // namespace
 
-void Backend::clear_accumulation(const Context& context) {
+void clear_accumulation(const Context& context) {
+  Submission& submission = *context.submission;
   const PixelRectangle area = accumulated_area(context.raster);
-  if (area.width && area.height) accumulation_.clear(area, context.accumulation.clear_value);
+  if (area.width && area.height)
+    submission.accumulation.clear(area, context.accumulation.clear_value);
 }
 
-void Backend::accumulate(Context& context, GLenum operation, float value) {
+void accumulate(Context& context, GLenum operation, float value) {
+  const Driver& driver = context.driver->functions;
+  Submission& submission = *context.submission;
   const PixelRectangle area = accumulated_area(context.raster);
   if (!area.width || !area.height) return;
   driver.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   switch (operation) {
-    case GL_ACCUM: accumulation_.add(area, read_colors(driver, area, {}), value); break;
-    case GL_LOAD: accumulation_.load(area, read_colors(driver, area, {}), value); break;
-    case GL_MULT: accumulation_.scale_and_bias(area, value, 0); break;
-    case GL_ADD: accumulation_.scale_and_bias(area, 1, value); break;
-    default: return_accumulation(context, area, value);
+    case GL_ACCUM: submission.accumulation.add(area, read_colors(driver, area, {}), value); break;
+    case GL_LOAD: submission.accumulation.load(area, read_colors(driver, area, {}), value); break;
+    case GL_MULT: submission.accumulation.scale_and_bias(area, value, 0); break;
+    case GL_ADD: submission.accumulation.scale_and_bias(area, 1, value); break;
+    default: write_colors(context, area, submission.accumulation.scaled(area, value));
   }
 }
 

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
-#include "submit/backend.hpp"
+#include "geometry/wide_lines.hpp"
+#include "submit/arrays_direct.hpp"
+#include "submit/arrays_streamed.hpp"
+#include "submit/choose_path.hpp"
+#include "submit/path_state.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
 
@@ -17,7 +22,7 @@ std::uint32_t elements_in(std::size_t bytes, std::size_t size, std::size_t strid
 }  // namespace
 
 ReadableArrays::~ReadableArrays() {
-  BufferObjects& buffers = context_.backend->buffers();
+  BufferObjects& buffers = context_.driver->buffers;
   for (unsigned i = 0; i < mapping_count_; ++i)
     if (mappings_[i].data) buffers.unmap_after_reading(*buffers.find(mappings_[i].name));
 }
@@ -27,7 +32,7 @@ const ReadableArrays::Mapping& ReadableArrays::map(GLuint name) {
     if (mappings_[i].name == name) return mappings_[i];
   Mapping& mapping = mappings_[mapping_count_++];
   mapping.name = name;
-  BufferObjects& buffers = context_.backend->buffers();
+  BufferObjects& buffers = context_.driver->buffers;
   if (const BufferObject* const buffer = buffers.find(name)) {
     mapping.data = static_cast<const std::byte*>(buffers.map_for_reading(*buffer));
     mapping.size = mapping.data ? static_cast<std::size_t>(buffer->size) : 0;
@@ -69,7 +74,7 @@ ElementView ReadableArrays::elements(const ArrayDraw& draw) {
 }
 
 bool draws_from_mapped_buffer(Context& context, bool elements) {
-  BufferObjects& buffers = context.backend->buffers();
+  BufferObjects& buffers = context.driver->buffers;
   const auto is_mapped = [&buffers](GLuint name) {
     const BufferObject* const buffer = name ? buffers.find(name) : nullptr;
     return buffer && buffer->mapped;
@@ -81,13 +86,26 @@ bool draws_from_mapped_buffer(Context& context, bool elements) {
 
 void draw_arrays(Context& context, const ArrayDraw& draw) {
   if (!context.arrays.arrays[kVertexArray].enabled) return;
-  Backend& backend = *context.backend;
-  if (context.selection.is_rendering() &&
-      (backend.draw_from_buffers(context, draw) || backend.draw_streamed(context, draw)))
-    return;
+  const PathState state = path_state(context);
+  DrawRequest request{.source = DrawRequest::Source::kArrays,
+                      .has_polygons = is_polygonal(draw.mode),
+                      .has_lines = is_line(draw.mode),
+                      .plain_quads = draw.mode == GL_QUADS && !draw.is_indexed()};
+  const std::optional<DirectArrays> direct = find_direct_arrays(context, draw);
+  request.fetched_by_driver = direct.has_value();
+  if (choose_path(request, state) == DrawPath::kArraysDirect)
+    return draw_arrays_direct(context, draw, *direct);
+
   ReadableArrays readable(context);
-  if (draw.is_indexed())
-    submit_elements(context, readable.views(), draw.mode, readable.elements(draw));
+  const ElementView elements = draw.is_indexed() ? readable.elements(draw) : ElementView{};
+  const std::optional<ElementRange> range = find_dense_range(draw, elements, readable.views());
+  request.fetched_by_driver = false;
+  request.many_and_dense = range.has_value();
+  request.has_tiny_normals = range && may_have_tiny_normals(context, readable.views(), *range);
+  if (choose_path(request, state) == DrawPath::kArraysStreamed &&
+      draw_arrays_streamed(context, draw, readable.views(), elements, *range))
+    return;
+  if (draw.is_indexed()) submit_elements(context, readable.views(), draw.mode, elements);
   else submit_arrays(context, readable.views(), draw.mode, draw.first, draw.count);
 }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "record/array_submit.hpp"
+#include "record/pending.hpp"
 
 struct legacy_gl_context;
 

@@ -1,12 +1,12 @@
 // Client arrays that lie in buffer objects in a form that the core profile takes: drawn from where
 // they are.
-#include <optional>
+#include "submit/arrays_direct.hpp"
 
 #include "geometry/primitives.hpp"
-#include "geometry/tiny_normals.hpp"
+#include "record/current_normal.hpp"
+#include "record/pending.hpp"
 #include "shadergen/attributes.hpp"
-#include "submit/arrays.hpp"
-#include "submit/backend.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
 
@@ -35,7 +35,7 @@ void for_each_source(const VertexLayout& layout, Visit visit) {
 
 glm::vec4 current_value(const Context& context, unsigned array) {
   switch (array) {
-    case kNormalArray: return glm::vec4(current_normal_to_draw(context), 0);
+    case kNormalArray: return glm::vec4(normal_to_draw(context), 0);
     case kSecondaryColorArray: return context.current.secondary_color;
     case kFogCoordArray: return glm::vec4(context.current.fog_coordinate, 0, 0, 1);
     case kColorArray: return context.current.color;
@@ -65,8 +65,8 @@ std::optional<BufferAttributes> find_attributes(Context& context, const VertexLa
   for_each_source(layout, [&](const Source& source) {
     const ClientArray& array = context.arrays.arrays[source.array];
     if (!array.enabled || !drawable) return;
-    const BufferObject* const buffer = context.backend->buffers().find(array.buffer);
-    drawable = buffer && driver_fetches(context.backend->driver, source.array, array.type);
+    const BufferObject* const buffer = context.driver->buffers.find(array.buffer);
+    drawable = buffer && driver_fetches(context.driver->functions, source.array, array.type);
     if (!drawable) return;
     const ArrayView view = make_view(array, nullptr);
     const std::uint64_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
@@ -82,17 +82,8 @@ std::optional<BufferAttributes> find_attributes(Context& context, const VertexLa
   return found;
 }
 
-}  // namespace
-
-void Backend::delete_buffer(GLuint name) {
-  if (const BufferObject* const buffer = buffers_.find(name)) {
-    buffer_arrays_.forget(buffer->driver_name);
-    bound_array_ = 0;
-  }
-  buffers_.remove(name);
-}
-
-void Backend::set_constant_attributes(const Context& context, const VertexLayout& layout) {
+void set_constant_attributes(const Context& context, const VertexLayout& layout) {
+  const Driver& driver = context.driver->functions;
   for_each_source(layout, [&](const Source& source) {
     if (source.array == kVertexArray || context.arrays.arrays[source.array].enabled) return;
     const glm::vec4 value = current_value(context, source.array);
@@ -100,19 +91,10 @@ void Backend::set_constant_attributes(const Context& context, const VertexLayout
   });
 }
 
-const void* Backend::write_indices(Context& context, const void* indices, std::size_t size) {
-  if (size == 0) return nullptr;
-  context.statistics.index_bytes_uploaded += size;
-  return reinterpret_cast<const void*>(indices_.write(indices, size, sizeof(std::uint32_t)));
-}
-
-bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
-  const ClientArray& positions = context.arrays.arrays[kVertexArray];
-  // The primitives themselves are needed.
-  if (is_unfilled(context.raster.polygon) || (is_line(draw.mode) && replaces_lines(context)))
-    return false;
+/// What the state reads, as the arrays have it.
+VertexLayout layout_of_arrays(const Context& context) {
   VertexLayout layout = Recorder::relevant_layout(context);
-  if (positions.size == 4) layout.fields |= kFieldPositionW;
+  if (context.arrays.arrays[kVertexArray].size == 4) layout.fields |= kFieldPositionW;
   for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {
     const ClientArray& array = context.arrays.arrays[kTexCoordArray + unit];
     if (!(layout.texcoords & 1u << unit) || !array.enabled) continue;
@@ -120,40 +102,58 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
     layout.wide_texcoords &= static_cast<std::uint8_t>(~bit);
     if (array.size > 2) layout.wide_texcoords |= bit;
   }
-  std::optional<BufferAttributes> attributes = find_attributes(context, layout, draw);
-  if (!attributes) return false;
+  return layout;
+}
 
-  const bool native = draws_without_indices(draw.mode);
-  const BufferObject* const elements =
-      draw.is_indexed() ? buffers_.find(context.arrays.element_buffer) : nullptr;
-  if (draw.is_indexed() && !elements && !draw.elements) return true;
+const BufferObject* element_buffer(Context& context, const ArrayDraw& draw) {
+  return draw.is_indexed() ? context.driver->buffers.find(context.arrays.element_buffer) : nullptr;
+}
+
+}  // namespace
+
+std::optional<DirectArrays> find_direct_arrays(Context& context, const ArrayDraw& draw) {
+  const VertexLayout layout = layout_of_arrays(context);
+  std::optional<BufferAttributes> attributes = find_attributes(context, layout, draw);
+  if (!attributes) return {};
+  const BufferObject* const elements = element_buffer(context, draw);
   if (elements && reinterpret_cast<std::uintptr_t>(draw.elements) +
                           std::uint64_t{draw.count} * type_size(draw.element_type) >
                       static_cast<std::uint64_t>(elements->size))
-    return false;
+    return {};
+  return DirectArrays{layout, *attributes};
+}
+
+void draw_arrays_direct(Context& context, const ArrayDraw& draw, DirectArrays arrays) {
+  DriverObjects& objects = *context.driver;
+  const Driver& driver = context.driver->functions;
+  Submission& submission = *context.submission;
+  const bool native = draws_without_indices(draw.mode);
+  const BufferObject* const elements = element_buffer(context, draw);
+  if (draw.is_indexed() && !elements && !draw.elements) return;
   flush_pending(context);
-  prepare(context, layout);
-  if (!use_program(context, draw.mode, draw.count)) return true;
-  attributes->index_buffer = elements && native ? elements->driver_name : indices_.name();
-  bind_vertex_array(buffer_arrays_.find_or_build(*attributes));
-  set_constant_attributes(context, layout);
+  prepare(context, arrays.layout);
+  if (!use_program(context, draw.mode, draw.count)) return;
+  arrays.attributes.index_buffer =
+      elements && native ? elements->driver_name : objects.index_stream.name();
+  context.driver->bind_vertex_array(objects.buffer_arrays.find_or_build(arrays.attributes));
+  set_constant_attributes(context, arrays.layout);
 
   GLsizei count = static_cast<GLsizei>(draw.count);
   GLenum type = draw.element_type;
   const void* offset = draw.elements;
   if (!native) {
     ReadableArrays readable(context);
-    element_scratch_.clear();
-    if (draw.is_indexed()) read_elements(readable.elements(draw), element_scratch_);
+    submission.elements.clear();
+    if (draw.is_indexed()) read_elements(readable.elements(draw), submission.elements);
     const auto available =
-        draw.is_indexed() ? static_cast<std::uint32_t>(element_scratch_.size()) : draw.count;
-    index_scratch_.clear();
-    append_indices({draw.mode, draw.first, available, draw.is_indexed()}, element_scratch_, 0,
-                   derived_.key.flat, index_scratch_);
-    count = static_cast<GLsizei>(index_scratch_.size());
+        draw.is_indexed() ? static_cast<std::uint32_t>(submission.elements.size()) : draw.count;
+    submission.indices.clear();
+    append_indices({draw.mode, draw.first, available, draw.is_indexed()}, submission.elements, 0,
+                   submission.inputs.key.flat, submission.indices);
+    count = static_cast<GLsizei>(submission.indices.size());
     type = GL_UNSIGNED_INT;
-    offset = write_indices(context, index_scratch_.data(),
-                           index_scratch_.size() * sizeof(std::uint32_t));
+    offset = write_indices(context, submission.indices.data(),
+                           submission.indices.size() * sizeof(std::uint32_t));
   } else if (draw.is_indexed() && !elements) {
     offset = write_indices(context, draw.elements, draw.count * std::size_t{type_size(type)});
   }
@@ -162,7 +162,6 @@ bool Backend::draw_from_buffers(Context& context, const ArrayDraw& draw) {
   ++context.statistics.draws;
   ++context.statistics.batches;
   context.statistics.vertices += draw.count;
-  return true;
 }
 
 }  // namespace legacy_gl

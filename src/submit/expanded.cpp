@@ -4,7 +4,10 @@
 
 #include "execute/framebuffer.hpp"
 #include "geometry/line_stipple.hpp"
-#include "submit/backend.hpp"
+#include "geometry/wide_lines.hpp"
+#include "record/pending.hpp"
+#include "submit/expanded.hpp"
+#include "submit/prepare.hpp"
 #include "translate/draw_inputs_parts.hpp"
 
 namespace legacy_gl {
@@ -29,23 +32,26 @@ double depth_resolution(const Context& context) {
 
 }  // namespace
 
-void Backend::widen_lines_of(Context& context, const VertexLayout& layout, const float* vertices) {
-  const WideLineState state{.modelview_projection = derived_.transform.modelview_projection,
-                            .viewport = context.raster.viewport,
-                            .width = whole_line_width(context.raster.line)};
-  wide_scratch_.clear();
-  wide_ends_.clear();
-  for (const PrimitiveGroup& group : unfilled_scratch_.groups) {
+void widen_lines_of(Context& context, const VertexLayout& layout, const float* vertices) {
+  Submission& submission = *context.submission;
+  const WideLineState state{
+      .modelview_projection = submission.inputs.transform.modelview_projection,
+      .viewport = context.raster.viewport,
+      .width = whole_line_width(context.raster.line)};
+  submission.wide_vertices.clear();
+  submission.wide_ends.clear();
+  for (const PrimitiveGroup& group : submission.expanded.groups) {
     if (is_line(group.mode))
       widen_lines(layout, vertices, group.mode,
-                  std::span(unfilled_scratch_.indices).subspan(group.first, group.count), state,
-                  wide_scratch_);
-    wide_ends_.push_back(wide_scratch_.size());
+                  std::span(submission.expanded.indices).subspan(group.first, group.count), state,
+                  submission.wide_vertices);
+    submission.wide_ends.push_back(submission.wide_vertices.size());
   }
 }
 
-void Backend::stipple_lines_of(const Context& context) {
-  ExpandedBatch& expanded = unfilled_scratch_;
+void stipple_lines_of(const Context& context) {
+  Submission& submission = *context.submission;
+  ExpandedBatch& expanded = submission.expanded;
   const Recorder& recorder = context.recorder;
   if (!expanded.own_vertices) {
     expanded.own_vertices = true;
@@ -54,41 +60,41 @@ void Backend::stipple_lines_of(const Context& context) {
         recorder.data(),
         recorder.data() + std::size_t{recorder.vertex_count()} * recorder.offsets().stride);
   }
-  const EnabledClipPlanes planes(derived_);
+  const EnabledClipPlanes planes(submission.inputs);
   stipple_lines({.line = context.raster.line,
-                 .modelview_projection = derived_.transform.modelview_projection,
+                 .modelview_projection = submission.inputs.transform.modelview_projection,
                  .viewport = context.raster.viewport,
                  .clip_planes = planes,
-                 .flat = derived_.key.flat},
+                 .flat = submission.inputs.key.flat},
                 expanded);
 }
 
-bool Backend::draw_unfilled(Context& context) {
+void draw_expanded(Context& context) {
+  DriverObjects& objects = *context.driver;
+  const Driver& driver = context.driver->functions;
+  Submission& submission = *context.submission;
   const Recorder& recorder = context.recorder;
   const std::vector<PrimitiveRun>& runs = recorder.runs();
-  const bool wide = widens_lines(context), unfilled = is_unfilled(context.raster.polygon);
+  const bool wide = widens_lines(context);
   const bool stippled = is_stippled(context.raster.line);
-  if (std::none_of(runs.begin(), runs.end(), [=](const PrimitiveRun& run) {
-        return (unfilled && is_polygonal(run.mode)) || ((wide || stippled) && is_line(run.mode));
-      }))
-    return false;
   prepare(context, recorder.layout());
 
-  const ProgramKey& key = derived_.key;
-  const UnfilledState state{.polygon = context.raster.polygon,
-                            .viewport = context.raster.viewport,
-                            .modelview_projection = derived_.transform.modelview_projection,
-                            .two_side = key.two_side,
-                            .flat = key.flat,
-                            .lighting_position = key.flat && reads_lighting_position(key),
-                            .depth_resolution = depth_resolution(context),
-                            .line_stipple = stippled};
-  ExpandedBatch& expanded = unfilled_scratch_;
+  const ProgramKey& key = submission.inputs.key;
+  const UnfilledState state{
+      .polygon = context.raster.polygon,
+      .viewport = context.raster.viewport,
+      .modelview_projection = submission.inputs.transform.modelview_projection,
+      .two_side = key.two_side,
+      .flat = key.flat,
+      .lighting_position = key.flat && reads_lighting_position(key),
+      .depth_resolution = depth_resolution(context),
+      .line_stipple = stippled};
+  ExpandedBatch& expanded = submission.expanded;
   expand_unfilled(
       {recorder.layout(), recorder.data(), recorder.vertex_count(), runs, recorder.elements()},
       state, expanded);
   if (stippled) stipple_lines_of(context);
-  if (expanded.indices.empty()) return true;
+  if (expanded.indices.empty()) return;
 
   const VertexLayout layout = expanded.own_vertices ? expanded.layout : recorder.layout();
   const std::size_t stride = offsets_of(layout).stride * sizeof(float);
@@ -97,20 +103,21 @@ bool Backend::draw_unfilled(Context& context) {
   const float* const vertices = expanded.own_vertices ? expanded.vertices.data() : recorder.data();
   if (wide) widen_lines_of(context, layout, vertices);
   const auto base_vertex =
-      static_cast<std::uint32_t>(vertices_.write(vertices, size, stride) / stride);
+      static_cast<std::uint32_t>(objects.vertex_stream.write(vertices, size, stride) / stride);
   for (std::uint32_t& index : expanded.indices) index += base_vertex;
   const std::size_t index_bytes = expanded.indices.size() * sizeof(std::uint32_t);
   const std::size_t indices =
-      indices_.write(expanded.indices.data(), index_bytes, sizeof(std::uint32_t));
+      objects.index_stream.write(expanded.indices.data(), index_bytes, sizeof(std::uint32_t));
   context.statistics.vertex_bytes_uploaded += size;
   context.statistics.vertices += recorder.vertex_count();
   context.statistics.index_bytes_uploaded += index_bytes;
 
   std::size_t wide_vertices = 0, wide_stride = 0;
-  if (wide && !wide_scratch_.empty()) {
+  if (wide && !submission.wide_vertices.empty()) {
     wide_stride = offsets_of(widened_layout(layout)).stride;
-    const std::size_t bytes = wide_scratch_.size() * sizeof(float);
-    wide_vertices = vertices_.write(wide_scratch_.data(), bytes, wide_stride * sizeof(float)) /
+    const std::size_t bytes = submission.wide_vertices.size() * sizeof(float);
+    wide_vertices = objects.vertex_stream.write(submission.wide_vertices.data(), bytes,
+                                                wide_stride * sizeof(float)) /
                     (wide_stride * sizeof(float));
     context.statistics.vertex_bytes_uploaded += bytes;
   }
@@ -118,7 +125,7 @@ bool Backend::draw_unfilled(Context& context) {
     const PrimitiveGroup& group = expanded.groups[g];
     if (!group.count) continue;
     ProgramKey variant = key;
-    if (group.mode == GL_POINTS) draw_points(context, variant);
+    if (group.mode == GL_POINTS) choose_points(context, variant);
     variant.fragments.coverage = coverage_of(context.raster, group.mode);
     variant.back_only = group.back;
     variant.lighting_position = state.lighting_position;
@@ -128,24 +135,24 @@ bool Backend::draw_unfilled(Context& context) {
     if (widened) {
       variant.line_offset = true;
       variant.depth_offset = variant.fragments.fog_coordinate = false;
-      const std::size_t begin = g ? wide_ends_[g - 1] : 0, end = wide_ends_[g];
+      const std::size_t begin = g ? submission.wide_ends[g - 1] : 0, end = submission.wide_ends[g];
       if (begin == end || !use_program(context, variant, recorder.vertex_count())) continue;
-      bind_vertex_array(
-          arrays_.find_or_build(widened_layout(layout), vertices_.name(), indices_.name()));
+      context.driver->bind_vertex_array(objects.vertex_arrays.find_or_build(
+          widened_layout(layout), objects.vertex_stream.name(), objects.index_stream.name()));
       driver.DrawArrays(GL_LINES, static_cast<GLint>(wide_vertices + begin / wide_stride),
                         static_cast<GLsizei>((end - begin) / wide_stride));
       ++context.statistics.draws;
       continue;
     }
     if (!use_program(context, variant, recorder.vertex_count())) continue;
-    bind_vertex_array(arrays_.find_or_build(layout, vertices_.name(), indices_.name()));
+    context.driver->bind_vertex_array(objects.vertex_arrays.find_or_build(
+        layout, objects.vertex_stream.name(), objects.index_stream.name()));
     driver.DrawElements(
         group.mode, static_cast<GLsizei>(group.count), GL_UNSIGNED_INT,
         reinterpret_cast<const void*>(indices + group.first * sizeof(std::uint32_t)));
     ++context.statistics.draws;
   }
   ++context.statistics.batches;
-  return true;
 }
 
 }  // namespace legacy_gl

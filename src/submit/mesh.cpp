@@ -2,10 +2,11 @@
 #include <algorithm>
 
 #include "geometry/clip_test.hpp"
-#include "geometry/tiny_normals.hpp"
-#include "record/draw_mesh.hpp"
+#include "record/current_normal.hpp"
+#include "record/pending.hpp"
 #include "shadergen/attributes.hpp"
-#include "submit/backend.hpp"
+#include "submit/mesh.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
 
@@ -23,20 +24,10 @@ bool is_outside(const ListMesh& mesh, const glm::mat4& modelview_projection) {
 
 }  // namespace
 
-void draw_kept_mesh(Context& context, const ListMesh& mesh) {
-  const auto has_lines = [&mesh] {
-    return std::any_of(mesh.runs.begin(), mesh.runs.end(),
-                       [](const PrimitiveRun& run) { return is_line(run.mode); });
-  };
-  if ((context.backend->replaces_lines(context) && has_lines()) ||
-      (mesh.tiny_normals && context.transform.normalize_enabled))
-    return record_mesh(context, mesh);
-  if (context.backend->join_mesh(context, mesh)) return;
-  flush_pending(context);
-  context.backend->draw_mesh(context, mesh);
-}
-
-void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
+void draw_mesh_from_buffers(Context& context, const ListMesh& mesh) {
+  DriverObjects& objects = *context.driver;
+  const Driver& driver = context.driver->functions;
+  Submission& submission = *context.submission;
   VertexLayout wanted = Recorder::relevant_layout(context);
   const unsigned kept = wanted.texcoords & mesh.layout.texcoords;
   wanted.wide_texcoords = static_cast<std::uint8_t>((wanted.wide_texcoords & ~kept) |
@@ -46,16 +37,16 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const bool bounded = looks_at_reach(context);
   const DrawBounds bounds = bounded ? bounds_of(context, mesh) : DrawBounds{};
   if (bounded) facts.bounds = &bounds;
-  derive(context, wanted, facts);
-  if (is_outside(mesh, derived_.transform.modelview_projection)) {
+  update_inputs(context, wanted, facts);
+  if (is_outside(mesh, submission.inputs.transform.modelview_projection)) {
     ++context.statistics.primitives_clipped;
     return;
   }
-  apply_derived(context);
+  apply_inputs(context);
   bool uploaded = false;
-  MeshBuffers::Entry& buffers = meshes_.find_or_upload(mesh, uploaded);
+  MeshBuffers::Entry& buffers = objects.meshes.find_or_upload(mesh, uploaded);
   if (uploaded) {
-    bound_array_ = buffers.array;  // building it has bound it
+    context.driver->bound_array = buffers.array;  // building it has bound it
     context.statistics.vertex_bytes_uploaded += mesh.vertices.size() * sizeof(float);
     context.statistics.index_bytes_uploaded += mesh.indices.size() * sizeof(std::uint32_t);
     context.statistics.list_vertices_welded += mesh.welded;
@@ -64,7 +55,7 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
   const auto missing = static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields);
   const CurrentValues& current = context.current;
   if (missing & kFieldNormal) {
-    const glm::vec4 normal(current_normal_to_draw(context), 1);
+    const glm::vec4 normal(normal_to_draw(context), 1);
     driver.VertexAttrib4fv(kLocationNormal, &normal[0]);
   }
   if (missing & kFieldColor) driver.VertexAttrib4fv(kLocationColor, &current.color[0]);
@@ -80,8 +71,9 @@ void Backend::draw_mesh(Context& context, const ListMesh& mesh) {
 
   context.statistics.vertices += mesh.vertex_count();
   ++context.statistics.batches;
-  if (draw_surface(context, mesh, buffers)) return;
-  bind_vertex_array(buffers.array);
+  FastPath* const fast_path = submission.fast_path.get();
+  if (fast_path && fast_path->draw_visible(context, mesh, buffers)) return;
+  context.driver->bind_vertex_array(buffers.array);
   for (const ListMesh::Draw& draw : mesh.draws) {
     if (!use_program(context, draw.mode, mesh.vertex_count())) continue;
     const auto count = static_cast<GLsizei>(draw.count);

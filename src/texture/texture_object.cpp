@@ -11,6 +11,12 @@ GLsizei half(GLsizei size) { return std::max(size / 2, 1); }
 
 }  // namespace
 
+bool filters_linearly(const TextureParameters& parameters) {
+  return parameters.mag_filter == GL_LINEAR || parameters.min_filter == GL_LINEAR ||
+         parameters.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
+         parameters.min_filter == GL_LINEAR_MIPMAP_LINEAR;
+}
+
 GLint TextureImages::last_level(const TextureParameters& parameters) const {
   constexpr GLint kLast = kMaxTextureLevels - 1;
   if (parameters.base_level > kLast) return -1;

@@ -34,6 +34,9 @@ constexpr bool uses_mipmaps(GLenum min_filter) {
   return min_filter != GL_NEAREST && min_filter != GL_LINEAR;
 }
 
+/// One of the filters mixes neighbouring texels.
+bool filters_linearly(const TextureParameters& parameters);
+
 /// One level of one face, as it was specified; the driver has the texels.
 struct TextureImage {
   GLsizei width = 0, height = 0, depth = 0;  ///< without borders

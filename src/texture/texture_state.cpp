@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "context/context.hpp"
-
 namespace legacy_gl {
 
 namespace {
@@ -51,19 +49,12 @@ TextureState::TextureState()
   for (TextureUnit& unit : units) unit.bound = defaults;
 }
 
-const ActiveTextures& active_textures(const Context& context) {
-  const TextureState& state = context.texture;
+const ActiveTextures& active_textures(const TextureState& state) {
   if (state.active_stale) {
     state.active_stale = false;
     state.active = find_active(state);
   }
   return state.active;
-}
-
-void texture_changes(Context& context) {
-  flush_pending(context);
-  context.texture.active_stale = true;
-  context.dirty |= kDirtyTexture;
 }
 
 }  // namespace legacy_gl

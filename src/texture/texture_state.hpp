@@ -6,8 +6,6 @@
 #include "texture/texture_environment.hpp"
 #include "texture/texture_names.hpp"
 
-struct legacy_gl_context;
-
 namespace legacy_gl {
 
 /// GL 2.1 spec tables 6.16, 6.20 to 6.22: what one texture unit has.
@@ -44,10 +42,7 @@ struct TextureState {
   mutable ActiveTextures active;
 };
 
-/// Before a unit, or a texture that may be bound, changes: draws what is recorded.
-void texture_changes(legacy_gl_context& context);
-
-/// `active`, up to date.
-const ActiveTextures& active_textures(const legacy_gl_context& context);
+/// `state.active`, up to date.
+const ActiveTextures& active_textures(const TextureState& state);
 
 }  // namespace legacy_gl

@@ -47,8 +47,7 @@ glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear) {
   return linear.inverse_transpose;
 }
 
-void Derived::update(Context& context, const VertexLayout& layout, Dialect,
-                     const DrawFacts& facts) {
+void DrawInputs::update(Context& context, const VertexLayout& layout, const DrawFacts& facts) {
   std::uint32_t dirty = context.dirty & ~std::uint32_t{kDirtyRaster};
   const bool transformed = layout.fields & kFieldTransformed;
   if (transformed != transformed_) dirty |= kDirtyTransform;
@@ -68,7 +67,7 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
   if (dirty & kDirtyKey || layout_changed) {
     key = ProgramKey{};
     key.textures = before.textures;
-    key.lit = context.lighting.enabled && !(layout.fields & kFieldLit);
+    key.lit = context.lighting.enabled && !(layout.fields & kFieldShaded);
     key.flat = context.lighting.shade_model == GL_FLAT;
     key.lighting_position = transformed && layout.fields & kFieldLightingPosition;
     key.secondary_from_vertex = (layout.fields & kFieldSecondaryColor) != 0;
@@ -98,8 +97,8 @@ void Derived::update(Context& context, const VertexLayout& layout, Dialect,
   update_textures(context, dirty, layout_changed);
 }
 
-void Derived::fill_lighting(const Context& context, std::uint32_t dirty, const ProgramKey& before,
-                            double length_before, bool before_only) {
+void DrawInputs::fill_lighting(const Context& context, std::uint32_t dirty,
+                               const ProgramKey& before, double length_before, bool before_only) {
   const bool lights_changed = !(before == key) || before_only != directions_only_;
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) fill_lights(context);
   if (dirty & (kDirtyLights | kDirtyMaterial) || lights_changed || length_before != normal_length_)
@@ -107,12 +106,12 @@ void Derived::fill_lighting(const Context& context, std::uint32_t dirty, const P
   if (dirty & (kDirtyTransform | kDirtyLights) || lights_changed) stale[kGeneralBlock] = true;
 }
 
-const Matrix& Derived::modelview(const Context& context) const {
+const Matrix& DrawInputs::modelview(const Context& context) const {
   static const Matrix identity;
   return transformed_ ? identity : context.transform.modelview.top();
 }
 
-void Derived::update_transform(Context& context) {
+void DrawInputs::update_transform(Context& context) {
   const glm::mat4 clip = context.transform.projection.top().single * modelview(context).single;
   transform.modelview_projection = transformed_ ? glm::mat4(1.0f) : clip;
   parallel_ = glm::row(transform.modelview_projection, 3) == glm::vec4(0, 0, 0, 1);
@@ -125,7 +124,7 @@ void Derived::update_transform(Context& context) {
   ++context.statistics.normal_matrix_updates;
 }
 
-void Derived::choose_space(const Context& context, const VertexLayout& layout) {
+void DrawInputs::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
   directions_only_ =
       !normalizes_ && !reads_position(key) && (linear_.keeps_angles || !is_per_fragment(context));
@@ -159,8 +158,8 @@ void Derived::choose_space(const Context& context, const VertexLayout& layout) {
 }
 
 /// Which lights reach the draw; true when that is another set than before.
-bool Derived::choose_reached(Context& context, const VertexLayout& layout,
-                             const DrawBounds* bounds) {
+bool DrawInputs::choose_reached(Context& context, const VertexLayout& layout,
+                                const DrawBounds* bounds) {
   LightMask reached = LightMask().set();
   if (bounds && affine_ && !transformed_) {
     reached = reached_lights(context, modelview(context).exact, linear_, layout, *bounds);
@@ -173,7 +172,7 @@ bool Derived::choose_reached(Context& context, const VertexLayout& layout,
 }
 
 /// Whether normals are made unit length; true when that is another answer than before.
-bool Derived::choose_normalize(Context& context, bool unit_normals) {
+bool DrawInputs::choose_normalize(Context& context, bool unit_normals) {
   bool normalizes = context.transform.normalize_enabled;
   if (normalizes && unit_normals && context.lighting.enabled && !transformed_ && affine_ &&
       linear_.keeps_angles && linear_.exact && !is_precise(context) && !is_per_fragment(context)) {
@@ -183,7 +182,7 @@ bool Derived::choose_normalize(Context& context, bool unit_normals) {
   return std::exchange(normalizes_, normalizes) != normalizes;
 }
 
-void Derived::fill_transform(const Context& context) {
+void DrawInputs::fill_transform(const Context& context) {
   stale[kTransformBlock] = true;
   const Matrix& matrix = modelview(context);
   const float size = drawn_point_size(context.raster.point);

@@ -31,12 +31,9 @@ struct ActiveLight {
 /// it.
 glm::dmat3 normal_matrix(const Context& context, const LinearPart& linear);
 
-/// Which fragments primitives of this mode have. It depends on the mode, so that Derived::key has
-/// none of it.
+/// Which fragments primitives of this mode have. It depends on the mode, so that DrawInputs::key
+/// has none of it.
 Coverage coverage_of(const RasterState& raster, GLenum mode);
-
-/// One of the filters mixes neighbouring texels.
-bool filters_linearly(const TextureParameters& parameters);
 
 /// What is known of all vertices of a draw.
 struct DrawFacts {
@@ -44,14 +41,13 @@ struct DrawFacts {
   bool unit_normals = false;           ///< need not be normalised where the modelview keeps angles
 };
 
-class Derived {
+class DrawInputs {
  public:
   /// Brings key and values up to date with the state, as far as the dirty bits (which it clears,
   /// but for kDirtyRaster) and the batch's layout ask for. Sets `stale` for each block whose values
   /// changed.
   /// What is known of the draw's vertices spares work.
-  void update(Context& context, const VertexLayout& layout, Dialect dialect,
-              const DrawFacts& facts = {});
+  void update(Context& context, const VertexLayout& layout, const DrawFacts& facts = {});
 
   /// Brings `general` up to date: from the values of the other blocks, which are filled.
   void fill_general(const Context& context);

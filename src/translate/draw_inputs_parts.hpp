@@ -15,7 +15,7 @@ namespace legacy_gl {
 /// The clip planes that cut what is drawn, in clip coordinates.
 class EnabledClipPlanes {
  public:
-  explicit EnabledClipPlanes(const Derived& derived) {
+  explicit EnabledClipPlanes(const DrawInputs& derived) {
     for (unsigned i = 0; i < kMaxClipPlanes; ++i)
       if (derived.key.fragments.clip_planes & 1u << i)
         planes_[count_++] = derived.clip_planes.planes[i];

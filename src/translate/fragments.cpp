@@ -14,7 +14,7 @@ Coverage coverage_of(const RasterState& raster, GLenum mode) {
   return Coverage::kWhole;
 }
 
-void Derived::choose_fragments(const Context& context, const VertexLayout& layout) {
+void DrawInputs::choose_fragments(const Context& context, const VertexLayout& layout) {
   key.fragments.clip_planes = context.transform.clip.enabled;
   const ColorBufferState& colors = context.raster.color_buffer;
   if (colors.alpha_test_enabled && colors.alpha_function != GL_ALWAYS)
@@ -29,7 +29,7 @@ void Derived::choose_fragments(const Context& context, const VertexLayout& layou
   key.fragments.fog_coordinate = (layout.fields & kFieldFogCoord) != 0;
 }
 
-void Derived::fill_fragments(const Context& context) {
+void DrawInputs::fill_fragments(const Context& context) {
   if (key.fragments.has_fog() || key.fragments.has_alpha_test()) {
     stale[kFragmentsBlock] = true;
     const FogState& fog = context.fog;

@@ -141,15 +141,13 @@ bool looks_at_reach(const Context& context) {
   return enabled > kFewLights;
 }
 
-bool find_bounds(const Context& context, DrawBounds& bounds) {
-  const Recorder& recorder = context.recorder;
-  const VertexLayout& layout = recorder.layout();
-  const VertexOffsets& offsets = recorder.offsets();
-  const std::uint32_t count = recorder.vertex_count();
+bool find_bounds(const Context& context, const VertexLayout& layout, const float* vertices,
+                 std::uint32_t count, DrawBounds& bounds) {
+  const VertexOffsets offsets = offsets_of(layout);
   if (offsets.position_size != 3 || count == 0) return false;
   bounds.longest_normal = longest(&context.current.normal[0], 0);
   bounds.largest_color = largest(&context.current.color[0], 0);
-  const float* vertex = recorder.data();
+  const float* vertex = vertices;
   bounds.lowest = bounds.highest = {vertex[0], vertex[1], vertex[2]};
   for (std::uint32_t i = 0; i < count; ++i, vertex += offsets.stride) {
     const glm::vec3 position(vertex[0], vertex[1], vertex[2]);

@@ -23,8 +23,9 @@ struct DrawBounds {
 /// allows an error of 1/1024 of a step.
 bool looks_at_reach(const Context& context);
 
-/// Of a batch; false where its positions have a w.
-bool find_bounds(const Context& context, DrawBounds& bounds);
+/// Of vertices that are recorded; false where their positions have a w.
+bool find_bounds(const Context& context, const VertexLayout& layout, const float* vertices,
+                 std::uint32_t count, DrawBounds& bounds);
 /// Of a list's mesh. Attributes that it does not have are the current values.
 DrawBounds bounds_of(const Context& context, const ListMesh& mesh);
 

@@ -30,7 +30,7 @@ constexpr double kBelowOne = 1 - 0x1p-24;  // the largest float below 1
 
 }  // namespace
 
-void Derived::find_eye_directions(const Context& context) {
+void DrawInputs::find_eye_directions(const Context& context) {
   const std::vector<Light>& all = context.lighting.lights;
   eye_directions_.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -40,7 +40,7 @@ void Derived::find_eye_directions(const Context& context) {
   }
 }
 
-void Derived::fill_lights(const Context& context) {
+void DrawInputs::fill_lights(const Context& context) {
   stale[kLightsBlock] = true;
   stale[kPreciseBlock] = true;
   lights.clear();
@@ -111,7 +111,7 @@ void Derived::fill_lights(const Context& context) {
   }
 }
 
-void Derived::fill_faces(const Context& context) {
+void DrawInputs::fill_faces(const Context& context) {
   for (unsigned face = 0; face < face_count(key); ++face) {
     stale[kFrontBlock + face] = true;
     FaceUniforms& uniforms = faces[face];
@@ -154,7 +154,7 @@ void Derived::fill_faces(const Context& context) {
 }
 
 /// From the values of the other blocks, which are filled.
-void Derived::fill_general(const Context& context) {
+void DrawInputs::fill_general(const Context& context) {
   general = {};
   if (key.space != LightingSpace::kObject) general.lighting_matrix = transform.modelview;
   if (key.space == LightingSpace::kEyeAxes) general.lighting_matrix[3] = {0, 0, 0, 1};

@@ -71,7 +71,7 @@ bool by_kind(const ActiveLight& a, const ActiveLight& b) {
 
 }  // namespace
 
-void Derived::choose_materials(const Context& context, const VertexLayout& layout) {
+void DrawInputs::choose_materials(const Context& context, const VertexLayout& layout) {
   const ColorMaterial& tracking = context.lighting.color_material;
   const MaterialMask tracked =
       tracking.enabled ? material_mask(tracking.face, tracking.mode) : MaterialMask{0};
@@ -86,7 +86,7 @@ void Derived::choose_materials(const Context& context, const VertexLayout& layou
     }
 }
 
-void Derived::choose_lights(Context& context) {
+void DrawInputs::choose_lights(Context& context) {
   active_.clear();
   double largest = 0, largest_specular = 0;
   const LightingState& lighting = context.lighting;
@@ -189,7 +189,7 @@ void Derived::choose_lights(Context& context) {
 
 /// Black lights bring the number of each kind to a power of two: how many lights reach a draw
 /// chooses among few programs.
-void Derived::fill_up_runs() {
+void DrawInputs::fill_up_runs() {
   constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
   filled_up_.clear();
   unsigned total = key.light_count();
@@ -212,7 +212,7 @@ void Derived::fill_up_runs() {
 
 /// A program that animates the shininess would compile at every value: past a few, no new ones
 /// become part of the text.
-bool Derived::bakes(unsigned shininess) {
+bool DrawInputs::bakes(unsigned shininess) {
   if (!baked_shininess_.test(shininess) && baked_shininess_.count() < kMostBakedShininesses)
     baked_shininess_.set(shininess);
   return baked_shininess_.test(shininess);

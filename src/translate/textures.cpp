@@ -164,13 +164,7 @@ TextureStageKey stage_key(const Context& context, const TextureObject& texture, 
 
 }  // namespace
 
-bool filters_linearly(const TextureParameters& parameters) {
-  return parameters.mag_filter == GL_LINEAR || parameters.min_filter == GL_LINEAR ||
-         parameters.min_filter == GL_LINEAR_MIPMAP_NEAREST ||
-         parameters.min_filter == GL_LINEAR_MIPMAP_LINEAR;
-}
-
-void Derived::update_textures(Context& context, std::uint32_t dirty, bool layout_changed) {
+void DrawInputs::update_textures(Context& context, std::uint32_t dirty, bool layout_changed) {
   const bool transformed =
       dirty & kDirtyTransform && (key.textures.reads_normal() || key.textures.reads_planes());
   const bool changed = dirty & (kDirtyTexture | kDirtyKey) || layout_changed;
@@ -181,9 +175,9 @@ void Derived::update_textures(Context& context, std::uint32_t dirty, bool layout
     fill_textures(context);
 }
 
-void Derived::choose_textures(Context& context) {
+void DrawInputs::choose_textures(Context& context) {
   key.textures = {};
-  const ActiveTextures& active = active_textures(context);
+  const ActiveTextures& active = active_textures(context.texture);
   if (!active.mask) return;
   for (unsigned i = 0; i < active.count; ++i) {
     if (!active.textures[i]) continue;
@@ -199,7 +193,7 @@ void Derived::choose_textures(Context& context) {
   key.textures.normalize = key.textures.reads_normal() && context.transform.normalize_enabled;
 }
 
-void Derived::fill_textures(Context& context) {
+void DrawInputs::fill_textures(Context& context) {
   stale[kTexturesBlock] = true;
   const Matrix& modelview = context.transform.modelview.top();
   if (key.textures.reads_normal()) {

@@ -1,40 +1,43 @@
 #!/usr/bin/env python3
-"""Includes inside src/ point one way. The tables below are the architecture; docs/architecture.md says why."""
+"""The rooms of src/ depend on each other one way, by what they include and by what they call.
+
+The table below is the architecture; docs/architecture.md says why. With --objects DIRECTORY (the object files of a build)
+the symbols that a room's objects need are looked up too: each has to be defined in a room that this one may include.
+"""
 
 import pathlib
 import re
+import subprocess
 import sys
 import unittest
 
 SRC = pathlib.Path(__file__).resolve().parents[2] / "src"
 
-# What the files of a room may include of other rooms. Pairs that still include both ways:
-# context and record, context and dlist, context and texture, dlist and execute, execute and submit,
-# geometry and record, software and submit.
+# What the files of a room may include of other rooms, lowest room first: each names only rooms above itself in the table.
 MAY_INCLUDE = {
     "state": set(),
     "lighting": {"state"},
-    "matrix": {"state"},
-    "texture": {"context", "state"},
+    "matrix": set(),
+    "texture": {"state"},
     "evaluator": {"state"},
     "shadergen": set(),
-    "geometry": {"context", "lighting", "record", "state"},
-    "context": {"dlist", "evaluator", "lighting", "matrix", "record", "state", "texture"},
-    "record": {"context", "geometry", "state"},
-    "execute": {"context", "dlist", "evaluator", "submit", "texture"},
+    "geometry": {"lighting", "state"},
+    "context": {"evaluator", "lighting", "matrix", "state", "texture"},
+    "record": {"context", "geometry", "lighting", "state", "texture"},
+    "translate": {"context", "geometry", "lighting", "matrix", "record", "shadergen", "texture"},
+    "driver": {"geometry", "shadergen", "state", "texture"},
+    "execute": {"context", "driver", "evaluator", "lighting", "matrix", "record", "state", "texture"},
+    "cpu_pipeline": {"context", "execute", "geometry", "lighting", "matrix", "record", "state", "texture"},
     "dlist": {"context", "execute", "geometry", "record", "state"},
-    "cpu_pipeline": {"context", "dlist", "execute", "geometry", "lighting", "matrix", "state"},
-    "translate": {"context", "geometry", "matrix", "shadergen"},
-    "driver": {"geometry", "shadergen", "state", "texture", "translate"},
-    "submit": {"driver", "execute", "geometry", "record", "shadergen", "software", "translate"},
-    "software": {"context", "driver", "execute", "geometry", "record", "submit", "translate"},
-    "api": {"context", "cpu_pipeline", "dlist", "driver", "execute", "record", "state", "submit", "texture"},
-    "platform": set(),
+    "submit": {"context", "cpu_pipeline", "driver", "execute", "geometry", "matrix", "record", "shadergen", "state", "texture",
+               "translate"},
+    "software": {"context", "driver", "geometry", "lighting", "matrix", "record", "shadergen", "submit", "texture",
+                 "translate"},
+    "api": {"context", "cpu_pipeline", "dlist", "driver", "evaluator", "execute", "lighting", "matrix", "record", "software", "state",
+            "submit", "texture"},
     "glu": set(),
+    "platform": set(),
 }
-
-# What only the sources of a room may include, and not its headers.
-SOURCES_MAY_INCLUDE = {}
 
 # Headers without knowledge, open to every room but those that are closed.
 COMMON_HEADERS = {"state/gl_types.hpp"}
@@ -59,8 +62,6 @@ def violations(files):
             found.append(f"{path}: lies in no room of the table")
             continue
         allowed = MAY_INCLUDE[room] | {room}
-        if path.endswith((".cpp", ".c")):
-            allowed = allowed | SOURCES_MAY_INCLUDE.get(room, set())
         for bracket, target in INCLUDE.findall(text):
             if DRIVER_HEADER.match(target):
                 if room not in ROOMS_WITH_DRIVER_HEADERS:
@@ -103,6 +104,43 @@ def cycle(files):
     return None
 
 
+def symbols(objects, flag):
+    """{room: {symbol}} of the object files below `objects`, one directory a room; `flag` is nm's."""
+    found = {}
+    for room in MAY_INCLUDE:
+        files = sorted(map(str, objects.glob(f"{room}/**/*.o")))
+        if files:
+            lines = subprocess.run(["nm", "--format=posix", flag, *files], text=True, capture_output=True, check=True).stdout
+            # Weak symbols are inline functions: every room that uses one has its own.
+            found[room] = {line.split()[0] for line in lines.splitlines() if len(line.split()) > 1 and
+                           line.split()[1] not in "wWvVu"}
+    return found
+
+
+def link_violations(needed, defined):
+    """Which symbols a room needs of rooms that it may not include."""
+    home = {symbol: room for room, names in defined.items() for symbol in names}
+    def public(symbol):
+        return symbol.startswith(("lgl", "legacy_gl_"))  # legacy_gl/*.h, open to every room
+
+    return sorted(f"{room}: {symbol} is defined in {home[symbol]}/" for room, names in needed.items() for symbol in names
+                  if symbol in home and not public(symbol) and home[symbol] not in MAY_INCLUDE[room] | {room})
+
+
+class TheObjects(unittest.TestCase):
+    directory = None
+
+    def test_symbols_come_from_rooms_below(self):
+        if not self.directory:
+            self.skipTest("no --objects")
+        needed, defined = symbols(self.directory, "--undefined-only"), symbols(self.directory, "--defined-only")
+        self.assertGreater(len(defined), 10, f"no object files in {self.directory}")
+        self.assertEqual(link_violations(needed, defined), [])
+
+    def test_reports_a_call_upwards(self):
+        self.assertEqual(len(link_violations({"state": {"f"}, "api": {"f", "g"}}, {"api": {"f"}, "submit": {"g"}})), 1)
+
+
 class TheTree(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -133,9 +171,15 @@ class TheTables(unittest.TestCase):
         self.assertEqual(includers["api"], set())
 
     def test_every_name_is_a_room(self):
-        for table in (MAY_INCLUDE, SOURCES_MAY_INCLUDE):
-            for room, targets in table.items():
-                self.assertLessEqual({room} | targets, MAY_INCLUDE.keys())
+        for targets in MAY_INCLUDE.values():
+            self.assertLessEqual(targets, MAY_INCLUDE.keys())
+
+    def test_one_way(self):
+        """No two rooms include each other, by whatever way round."""
+        before = set()
+        for room, targets in MAY_INCLUDE.items():
+            self.assertLessEqual(targets, before, room)
+            before.add(room)
 
 
 class TheRules(unittest.TestCase):
@@ -186,4 +230,8 @@ class TheRules(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if "--objects" in sys.argv:
+        at = sys.argv.index("--objects")
+        TheObjects.directory = pathlib.Path(sys.argv[at + 1])
+        del sys.argv[at:at + 2]
     sys.exit(unittest.main(verbosity=2))

@@ -176,7 +176,7 @@ struct Window {
 
 // Every triangle that covers the middle of a pixel is found, however vertices are rounded to the
 // grid of 1/256 of a pixel.
-TEST(SeenTriangles, AreAllThatCoverASample) {
+TEST(VisibleTriangles, AreAllThatCoverASample) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> any(-1, 1);
   for (const float size : {0.002F, 0.01F, 0.05F, 0.4F}) {
@@ -194,7 +194,7 @@ TEST(SeenTriangles, AreAllThatCoverASample) {
     view.to_clip = glm::perspective(0.6F, 1.2F, 1.0F, 10.0F) *
                    glm::translate(glm::mat4(1.0F), glm::vec3(0, 0, -4));
     std::vector<std::uint32_t> indices;
-    SeenTriangles().append(surface, view, indices);
+    VisibleTriangles().append(surface, view, indices);
     std::set<std::uint32_t> seen;
     for (std::size_t i = 0; i < indices.size(); i += 3) seen.insert(indices[i] / 3);
 
@@ -228,7 +228,7 @@ TEST(SeenTriangles, AreAllThatCoverASample) {
   }
 }
 
-TEST(SeenTriangles, DropOneSideAndKeepTheOutline) {
+TEST(VisibleTriangles, DropOneSideAndKeepTheOutline) {
   MeshBuilder builder;
   builder.ball({0, 0, 0}, 1, 48, 24);
   const Surface surface = find_surface(builder.finish());
@@ -238,7 +238,7 @@ TEST(SeenTriangles, DropOneSideAndKeepTheOutline) {
                  glm::translate(glm::mat4(1.0F), glm::vec3(0, 0, -4));
   const auto count = [&] {
     std::vector<std::uint32_t> indices;
-    SeenTriangles().append(surface, view, indices);
+    VisibleTriangles().append(surface, view, indices);
     return indices.size() / 3;
   };
   const std::size_t all = count();

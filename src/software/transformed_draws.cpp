@@ -7,8 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/float4.hpp"
-#include "geometry/tiny_normals.hpp"
-#include "submit/backend.hpp"
+#include "record/current_normal.hpp"
+#include "record/pending.hpp"
+#include "software/software_fast_path.hpp"
+#include "submit/batch.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
 
@@ -42,17 +45,18 @@ constexpr double kFarFromEye = 1e3;
 
 }  // namespace
 
-bool Backend::can_transform(Context& context) {
+bool SoftwareFastPath::can_transform(Context& context) {
+  Submission& submission = *context.submission;
   const Recorder& recorder = context.recorder;
   constexpr unsigned kKnownFields = kFieldNormal | kFieldColor | kFieldSecondaryColor |
                                     kFieldTransformed | kFieldLightingPosition;
   if (recorder.layout().fields & ~kKnownFields) return false;
   if (recorder.layout().fields & kFieldTransformed) return true;
-  if (!driver.traits.matches_cpu_arithmetic || is_stippled(context.raster.line)) return false;
+  if (is_stippled(context.raster.line)) return false;
   if (context.raster.point.is_attenuated()) return false;  // by eye coordinates
   if (looks_at_reach(context)) return false;               // each object has lights of its own
-  derive(context, recorder.layout());
-  return reads_nothing_else(derived_.key);
+  update_inputs(context, recorder.layout());
+  return reads_nothing_else(submission.inputs.key);
 }
 
 namespace {
@@ -92,13 +96,13 @@ void put_eye_position(float* to, const Float4& eye) {
 
 }  // namespace
 
-void Backend::transform_vertices(Context& context) {
+void SoftwareFastPath::transform_vertices(Context& context) {
   Recorder& recorder = context.recorder;
   const VertexOffsets& offsets = recorder.offsets();
   const std::uint16_t fields = recorder.layout().fields;
   const std::uint32_t first = recorder.first_untransformed(), end = recorder.vertex_count();
   if (first == end) return;
-  enlarge_normals(context, first);
+  enlarge_recorded_normals(context, first);
   const VertexTransform t = vertex_transform(context, true, fields & kFieldNormal);
   ClipFlags flags;
   float* vertex = recorder.data() + std::size_t{first} * offsets.stride;
@@ -119,11 +123,13 @@ void Backend::transform_vertices(Context& context) {
 }
 
 /// The batch becomes one of transformed objects, if it is not one already.
-bool Backend::begin_transformed(Context& context) {
+bool SoftwareFastPath::begin_transformed(Context& context) {
+  Submission& submission = *context.submission;
   Recorder& recorder = context.recorder;
   if (!can_transform(context)) return false;
   const Matrix& modelview = context.transform.modelview.top();
-  const bool lit_by_position = context.lighting.enabled && lights_by_position(derived_.key);
+  const bool lit_by_position =
+      context.lighting.enabled && lights_by_position(submission.inputs.key);
   if (!is_affine(modelview.exact)) return false;
   if (lit_by_position)
     for (int axis = 0; axis < 3; ++axis)
@@ -134,7 +140,7 @@ bool Backend::begin_transformed(Context& context) {
   return true;
 }
 
-bool Backend::transform_recorded(Context& context) {
+bool SoftwareFastPath::detach_from_matrices(Context& context) {
   Recorder& recorder = context.recorder;
   if (recorder.inside_begin_end()) return true;  // the change is refused
   if (recorder.layout().fields & kFieldTransformed &&
@@ -145,10 +151,10 @@ bool Backend::transform_recorded(Context& context) {
   return true;
 }
 
-bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
+bool SoftwareFastPath::append_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   constexpr unsigned kCopied = kFieldNormal | kFieldColor | kFieldSecondaryColor;
-  if (join_lit_mesh(context, mesh)) return true;
+  if (append_shaded_mesh(context, mesh)) return true;
   if (mesh.layout.fields & ~kCopied || mesh.layout.materials || mesh.layout.texcoords) return false;
   if (mesh.triangles.empty() || !recorder.joins_objects(context)) return false;
   const std::uint32_t count = mesh.vertex_count();
@@ -161,7 +167,7 @@ bool Backend::join_mesh(Context& context, const ListMesh& mesh) {
 
   std::array<float, kMaxVertexFloats + Recorder::kSlackFloats> current{};
   recorder.put_template(context, current.data());
-  const glm::vec3 normal = current_normal_to_draw(context);
+  const glm::vec3 normal = normal_to_draw(context);
   if (fields & kFieldNormal) std::memcpy(&current[to.normal], &normal[0], sizeof normal);
   VertexTransform t = vertex_transform(context, transform, fields & kFieldNormal);
   ClipFlags flags;

@@ -1,9 +1,10 @@
-#include "record/draw_mesh.hpp"
+#include "record/record_mesh.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-#include "context/context.hpp"
+#include "record/pending.hpp"
+#include "record/renderer.hpp"
 
 namespace legacy_gl {
 
@@ -17,7 +18,7 @@ void record_mesh(Context& context, const ListMesh& mesh) {
   const VertexOffsets to = recorder.offsets(), from = offsets_of(mesh.layout);
   const auto both = static_cast<std::uint16_t>(recorder.layout().fields & mesh.layout.fields);
   const bool has_normals =
-      mesh.layout.fields & kFieldNormal && recorder.layout().fields & (kFieldNormal | kFieldLit);
+      mesh.layout.fields & kFieldNormal && recorder.layout().fields & (kFieldNormal | kFieldShaded);
   const unsigned units = recorder.layout().texcoords & mesh.layout.texcoords;
   for (std::uint32_t i = 0; i < count; ++i) {
     float* const target = vertices + std::size_t{i} * to.stride;
@@ -50,9 +51,8 @@ void record_mesh(Context& context, const ListMesh& mesh) {
 
 void draw_mesh(Context& context, const ListMesh& mesh) {
   if (context.recorder.inside_begin_end()) return raise_error(context, GL_INVALID_OPERATION);
-  const PolygonState& polygon = context.raster.polygon;
-  if (is_unfilled(polygon) || !context.selection.is_rendering()) return record_mesh(context, mesh);
-  draw_kept_mesh(context, mesh);
+  if (context.renderer) context.renderer->draw_mesh(context, mesh);
+  else record_mesh(context, mesh);
 }
 
 }  // namespace legacy_gl

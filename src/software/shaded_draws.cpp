@@ -5,27 +5,29 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
-#include <span>
 #include <utility>
 
 #include "geometry/float4.hpp"
-#include "geometry/tiny_normals.hpp"
-#include "software/hidden_sides.hpp"
+#include "record/current_normal.hpp"
+#include "record/pending.hpp"
+#include "software/hidden_winding.hpp"
+#include "software/software_fast_path.hpp"
 #include "software/vertex_lighting.hpp"
-#include "submit/backend.hpp"
+#include "submit/batch.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
 
 namespace {
 
 constexpr VertexLayout kLitFrom{kFieldNormal, 0, 0, 0};
-constexpr VertexLayout kLitTo{kFieldTransformed | kFieldLit, 0, 0, 0};
-constexpr unsigned kStride = Recorder::kLitStride;
+constexpr VertexLayout kLitTo{kFieldTransformed | kFieldShaded, 0, 0, 0};
+constexpr unsigned kStride = Recorder::kShadedStride;
 
 /// Vertices of one face on their way to be lit.
 class Chunk {
  public:
-  static constexpr std::uint32_t kVertices = Recorder::kSmallObject;
+  static constexpr std::uint32_t kVertices = kSmallDrawVertices;
 
   void add(const float* position, const float* normal, float* color) {
     LightingBlock& block = blocks_[count_ / LightingBlock::kVertices];
@@ -37,7 +39,7 @@ class Chunk {
     colors_[count_++] = color;
   }
 
-  void light(const Derived& derived, unsigned face) {
+  void light(const DrawInputs& derived, unsigned face) {
     const std::uint32_t whole = std::exchange(count_, 0);
     for (std::uint32_t first = 0; first < whole; first += LightingBlock::kVertices) {
       LightingBlock& block = blocks_[first / LightingBlock::kVertices];
@@ -80,8 +82,8 @@ class Places {
 
  private:
   static constexpr std::uint32_t kNone = ~0u;
-  std::array<std::array<std::uint32_t, Recorder::kSmallObject>, 2> places_;
-  std::array<std::uint32_t, 2 * Recorder::kSmallObject> vertices_;
+  std::array<std::array<std::uint32_t, kSmallDrawVertices>, 2> places_;
+  std::array<std::uint32_t, 2 * kSmallDrawVertices> vertices_;
   std::uint32_t count_ = 0;
 };
 
@@ -131,11 +133,11 @@ bool are_modest(const std::vector<Light>& lights) {
 
 }  // namespace
 
-struct Backend::PlacedObject {
-  std::array<Float4, Recorder::kSmallObject> clip;  ///< coordinates of the surface's places
+struct SoftwareFastPath::PlacedMesh {
+  std::array<Float4, kSmallDrawVertices> clip;  ///< coordinates of the surface's places
   ClipFlags flags;
 
-  PlacedObject(const glm::mat4& to_clip, const ObjectSurface& surface) {
+  PlacedMesh(const glm::mat4& to_clip, const ObjectSurface& surface) {
     const Columns matrix = columns(to_clip);
     for (std::size_t i = 0; i < surface.places.size(); ++i) {
       const glm::vec3& p = surface.places[i];
@@ -145,64 +147,61 @@ struct Backend::PlacedObject {
   }
 };
 
-bool Backend::may_light(Context& context) const {
-  return driver.traits.matches_cpu_arithmetic && context.lighting.enabled && programs_.has_stand_ins() &&
-         !context.fog.enabled && !active_textures(context).mask &&
-         Recorder::relevant_layout(context) == kLitFrom && !looks_at_reach(context) &&
-         !replaces_lines(context) && !context.raster.point.is_attenuated();
+bool SoftwareFastPath::may_light(const Context& context) {
+  DriverObjects& objects = *context.driver;
+  return context.lighting.enabled && objects.programs.has_stand_ins() && !context.fog.enabled &&
+         !active_textures(context.texture).mask && Recorder::relevant_layout(context) == kLitFrom &&
+         !looks_at_reach(context) && !replaces_lines(context) &&
+         !context.raster.point.is_attenuated();
 }
 
-bool Backend::derive_lighting(Context& context, const DrawFacts& facts) {
+bool SoftwareFastPath::update_lighting(Context& context, const DrawFacts& facts) {
   if (!may_light(context)) return false;
-  context.dirty |= take_dirty_bits(context, kLightingReader) & ~std::uint32_t{kDirtyRaster};
-  lighting_.update(context, kLitFrom, driver.dialect, facts);
+  context.dirty |= context.submission->dirty.take(context.dirty, DirtyReaders::kShading) &
+                   ~std::uint32_t{kDirtyRaster};
+  lighting_.update(context, kLitFrom, facts);
   return lights_blocks(lighting_.key);
 }
 
-/// The number of all that decides about objects but their matrices and materials.
-std::uint32_t Backend::surroundings(Context& context) {
-  apply_raster(context);
-  const std::uint32_t changed = take_dirty_bits(context, kKeptObjectsReader);
-  context.dirty = 0;  // they are put by
-  return surroundings_.number_of(context, framebuffer_facts(context), changed);
-}
-
-/// Matrices and materials that are like most do not change the answer in the same surroundings.
-bool Backend::stays_lit(Context& context) {
+/// With an affine modelview and materials of bounded values the answer depends on nothing that a
+/// change of matrix or material changes: it is asked at every glBegin.
+bool SoftwareFastPath::shades_next_draw(Context& context) {
   if (!may_light(context)) return false;
+  constexpr std::uint32_t kWithoutEffect = kDirtyTransform | kDirtyMaterial | kDirtyRaster;
   const LightingState& lighting = context.lighting;
   const bool usual = context.options.quality == LEGACY_GL_QUALITY_DEFAULT &&
                      lighting.model.color_control == GL_SINGLE_COLOR &&
                      is_affine(context.transform.modelview.pending_top().base.exact) &&
                      are_modest(lighting.materials);
-  const std::uint32_t number = surroundings(context);
-  if (usual && number == lit_surroundings_) return true;
-  const bool lit = derive_lighting(context, {}) && !lighting_.key.two_side;
-  lit_surroundings_ =
-      usual && lit && are_modest(lighting.lights) && is_modest(lighting.model.ambient) ? number : 0;
-  return lit;
+  const std::uint32_t changed =
+      context.submission->dirty.take(context.dirty, DirtyReaders::kShadingState);
+  if (changed & ~kWithoutEffect) shades_usual_draws_ = false;
+  if (usual && shades_usual_draws_) return true;
+  const bool shaded = update_lighting(context, {}) && !lighting_.key.two_side;
+  shades_usual_draws_ =
+      usual && shaded && are_modest(lighting.lights) && is_modest(lighting.model.ambient);
+  return shaded;
 }
 
-bool Backend::light_recorded(Context& context) {
+bool SoftwareFastPath::shade_batch(Context& context) {
   Recorder& recorder = context.recorder;
-  if (!recorder.is_lit()) {
-    if (recorder.inside_begin_end() || recorder.goes_on() || recorder.layout() != kLitFrom ||
-        recorder.vertex_count() > Recorder::kSmallObject || !stays_lit(context))
+  if (!recorder.is_shaded()) {
+    if (recorder.inside_begin_end() || recorder.layout() != kLitFrom ||
+        recorder.vertex_count() > kSmallDrawVertices || !shades_next_draw(context))
       return false;
-    recorder.become_lit(context);
+    recorder.become_shaded(context);
   }
-  light_vertices(context);
+  shade_vertices(context);
   return true;
 }
 
-void Backend::light_vertices(Context& context) {
+void SoftwareFastPath::shade_vertices(Context& context) {
   Recorder& recorder = context.recorder;
   std::uint32_t at = recorder.first_untransformed();
   const std::uint32_t end = recorder.vertex_count();
-  if (at == end || join_repeated_object(context)) return;
-  draw_followed(context);
-  enlarge_normals(context, at);
-  derive_lighting(context, {});
+  if (at == end) return;
+  enlarge_recorded_normals(context, at);
+  update_lighting(context, {});
   const Columns clip_matrix = to_clip(context);
   ClipFlags flags;
   Chunk chunk;
@@ -224,106 +223,59 @@ void Backend::light_vertices(Context& context) {
   recorder.end_object(flags.crosses());
 }
 
-bool Backend::joins_lit_objects(Context& context, const ListMesh& mesh) {
+bool SoftwareFastPath::can_shade_mesh(Context& context, const ListMesh& mesh) {
   DrawFacts facts;
   facts.unit_normals = mesh.unit_normals;
   return !mesh.triangles.empty() && !(mesh.layout.fields & kFieldPositionW) &&
-         derive_lighting(context, facts);
+         update_lighting(context, facts);
 }
 
 /// What of the object may be seen; `clip` holds its places, which are in the view if it is
 /// `inside`.
-const std::vector<std::uint16_t>& Backend::seen_triangles(Context& context,
-                                                          const ObjectSurface& surface,
-                                                          const Float4* clip, bool inside) {
-  if (!inside || !skips_unseen(context)) return seen_object_.all(surface);
+const std::vector<std::uint16_t>& SoftwareFastPath::visible_triangles(Context& context,
+                                                                      const ObjectSurface& surface,
+                                                                      const Float4* clip,
+                                                                      bool inside) {
+  if (!inside || !skips_hidden_triangles(context)) return visible_object_.all(surface);
   const FramebufferFacts& framebuffer = framebuffer_facts(context);
-  if (framebuffer.multisampled) return seen_object_.all(surface);
+  if (framebuffer.multisampled) return visible_object_.all(surface);
   const ViewportState& viewport = context.raster.viewport;
-  SeenObject::View view{ScreenScale(viewport)};
+  VisibleObject::View view{ScreenScale(viewport)};
   if (surface.winding != Surface::Winding::kOpen && shows_nearest_alone(context))
     view.hidden = inner_winding(surface.winding, lighting_.transform.modelview_projection);
   view.depth_steps =
       std::ldexp((viewport.depth_far - viewport.depth_near) / 2, framebuffer.depth_bits);
-  return seen_object_.find(surface, clip, view);
+  return visible_object_.find(surface, clip, view);
 }
 
-/// Where the mesh would be kept, if it can be lit here.
-std::optional<KeptObjects::Key> Backend::kept_key(Context& context, const ListMesh& mesh) {
-  constexpr unsigned kDecide = kFieldNormal | kFieldPositionW;
-  if (mesh.triangles.empty() || (mesh.layout.fields & kDecide) != kFieldNormal ||
-      !may_light(context))
-    return {};
-  return KeptObjects::Key{mesh, surroundings(context), context.transform.modelview.pending_top(),
-                          context.lighting.materials};
-}
-
-const KeptObjects::Entry* Backend::find_kept(const std::optional<KeptObjects::Key>& key) {
-  return key ? kept_objects_.find(*key, kept_batches_.expected()) : nullptr;
-}
-
-bool Backend::join_lit_mesh(Context& context, const ListMesh& mesh) {
+bool SoftwareFastPath::append_shaded_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
-  if (!recorder.all_lit()) {
-    if (!joins_lit_objects(context, mesh)) return false;
-    if (recorder.has_pending() && !light_object(context)) flush_pending(context);
-  }
-  const std::optional<KeptObjects::Key> key = kept_key(context, mesh);
-  if (const KeptObjects::Entry* const kept = find_kept(key)) {
-    append_kept_object(context, *kept);
-  } else {
-    if (!joins_lit_objects(context, mesh)) return false;
-    const PlacedObject placed(lighting_.transform.modelview_projection, mesh.object_surface());
-    append_lit_object(context, mesh, placed, key && kept_objects_.wants());
-  }
+  if (!can_shade_mesh(context, mesh)) return false;
+  if (!recorder.all_shaded() && recorder.has_pending() && !shade_pending(context))
+    flush_pending(context);
+  if (!can_shade_mesh(context, mesh)) return false;  // the state's inputs again
+  const PlacedMesh placed(lighting_.transform.modelview_projection, mesh.object_surface());
+  append_placed_mesh(context, mesh, placed);
   recorder.flush_if_large(context);
   return true;
 }
 
-/// The recorded object is taken from a mesh that it equals.
-bool Backend::join_repeated_object(Context& context) {
-  Recorder& recorder = context.recorder;
-  if (!skips_unseen(context) || recorder.inside_begin_end() ||
-      recorder.first_untransformed() != recorder.last_object().first_vertex)
-    return false;
-  const auto [mesh, has_quads] = repeated_objects_.find(recorder);
-  if (!mesh) return false;
-  const std::optional<KeptObjects::Key> key = kept_key(context, *mesh);
-  if (const KeptObjects::Entry* const kept = find_kept(key)) {
-    recorder.take_back_object();
-    append_kept_object(context, *kept);
-    return true;
-  }
-  if (!joins_lit_objects(context, *mesh)) return false;
-  const PlacedObject placed(lighting_.transform.modelview_projection, mesh->object_surface());
-  // Where quads are clipped or flat they are split the other way.
-  if (has_quads && (placed.flags.crosses() || lighting_.key.flat)) return false;
-  recorder.take_back_object();
-  append_lit_object(context, *mesh, placed, key && kept_objects_.wants());
-  return true;
-}
-
 /// Of the state that lighting_ has. A vertex that triangles of both faces share is there twice.
-void Backend::append_lit_object(Context& context, const ListMesh& mesh, const PlacedObject& placed,
-                                bool keeps) {
+void SoftwareFastPath::append_placed_mesh(Context& context, const ListMesh& mesh,
+                                          const PlacedMesh& placed) {
   Recorder& recorder = context.recorder;
   const ObjectSurface& surface = mesh.object_surface();
   if (placed.flags.outside()) {
     ++context.statistics.primitives_clipped;
-    if (keeps) kept_objects_.keep({.outside = true});
     return;
   }
   const auto& clip = placed.clip;
   const std::vector<std::uint16_t>& seen =
-      seen_triangles(context, surface, clip.data(), !placed.flags.crosses());
+      visible_triangles(context, surface, clip.data(), !placed.flags.crosses());
   const std::size_t unseen = surface.triangles.size() - seen.size();
   context.statistics.triangles_unseen += unseen;
-  if (seen.empty()) {
-    if (keeps) kept_objects_.keep({.unseen_triangles = unseen});
-    return;
-  }
-  draw_followed(context);
-  if (!recorder.has_pending()) recorder.become_lit(context);
+  if (seen.empty()) return;
+  if (!recorder.has_pending()) recorder.become_shaded(context);
   const std::uint32_t base = recorder.vertex_count();
   Places places;
   std::uint32_t* elements =
@@ -339,10 +291,10 @@ void Backend::append_lit_object(Context& context, const ListMesh& mesh, const Pl
     for (const std::uint32_t vertex : surface.corners[t])
       *elements++ = base + places.find(vertex, face);
   }
-  float* vertex = recorder.append_lit(places.count());
+  float* vertex = recorder.append_shaded(places.count());
   const VertexOffsets from = offsets_of(mesh.layout);
   const bool has_normal = mesh.layout.fields & kFieldNormal;
-  const glm::vec3 current_normal = current_normal_to_draw(context);
+  const glm::vec3 current_normal = normal_to_draw(context);
   std::array<Chunk, 2> chunks;
   for (std::uint32_t i = 0; i < places.count(); ++i, vertex += kStride) {
     const std::uint32_t index = places.vertex(i);
@@ -354,56 +306,6 @@ void Backend::append_lit_object(Context& context, const ListMesh& mesh, const Pl
   recorder.set_all_transformed();
   recorder.end_object(placed.flags.crosses());
   ++context.statistics.objects_lit;
-  if (!keeps) return;
-  const std::span<const std::uint32_t> all_elements = recorder.elements();
-  kept_objects_.keep(
-      {.unseen_triangles = unseen, .apart = placed.flags.crosses()},
-      {recorder.data() + std::size_t{base} * kStride, std::size_t{places.count()} * kStride},
-      all_elements.last(3 * seen.size()), base);
-}
-
-void Backend::append_kept_object(Context& context, const KeptObjects::Entry& kept) {
-  Recorder& recorder = context.recorder;
-  const auto& [facts, vertices, triangles] = kept.object;
-  context.statistics.primitives_clipped += facts.outside;
-  context.statistics.triangles_unseen += facts.unseen_triangles;
-  if (triangles.empty()) return;
-  ++context.statistics.objects_lit;
-  ++context.statistics.objects_kept;
-  if (kept_batches_.follow(kept)) return;
-  draw_followed(context);
-  if (!recorder.has_pending()) {
-    recorder.become_lit(context);
-    if (kept_batches_.begin(kept)) return recorder.set_goes_on(true);
-  }
-  const std::uint32_t base = recorder.vertex_count();
-  std::uint32_t* elements =
-      recorder.append_elements(context, GL_TRIANGLES, static_cast<std::uint32_t>(triangles.size()));
-  for (const std::uint16_t element : triangles) *elements++ = base + element;
-  std::copy(vertices.begin(), vertices.end(),
-            recorder.append_lit(static_cast<std::uint32_t>(vertices.size() / kStride)));
-  recorder.set_all_transformed();
-  recorder.end_object(facts.apart);
-  kept_batches_.note(recorder, kept);
-}
-
-/// What came of the batch that is followed, before what comes now.
-void Backend::draw_followed(Context& context) {
-  if (!kept_batches_.is_followed()) return;
-  const auto [batch, elements_end] = kept_batches_.stop();
-  context.recorder.set_goes_on(false);
-  derive(context, kLitTo);
-  apply_derived(context);
-  bind_vertex_array(batch.array);
-  ++context.statistics.batches;
-  context.statistics.vertices += batch.vertex_count;
-  for (const PrimitiveRun& run : batch.runs) {
-    if (run.first >= elements_end || !use_program(context, run.mode, batch.vertex_count)) break;
-    driver.DrawElements(
-        run.mode, static_cast<GLsizei>(std::min(run.count, elements_end - run.first)),
-        GL_UNSIGNED_INT, reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
-    ++context.statistics.draws;
-  }
 }
 
 }  // namespace legacy_gl

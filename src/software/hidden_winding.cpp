@@ -1,4 +1,4 @@
-#include "software/hidden_sides.hpp"
+#include "software/hidden_winding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "submit/backend.hpp"
+#include "driver/driver_objects.hpp"
 
 namespace legacy_gl {
 
@@ -43,7 +43,7 @@ bool shows_nearest_alone(const Context& context) {
   plain.offset_factor = raster.polygon.offset_factor;
   plain.offset_units = raster.polygon.offset_units;
   if (raster.polygon != plain) return false;
-  return !context.transform.clip.enabled && !context.backend->queries().active();
+  return !context.transform.clip.enabled && !context.driver->queries.active();
 }
 
 Surface::Winding inner_winding(Surface::Winding outer, const glm::mat4& modelview_projection) {

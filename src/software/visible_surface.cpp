@@ -1,7 +1,7 @@
 // Large meshes over a driver that draws on the CPU: only the triangles that may be seen.
-#include "execute/framebuffer.hpp"
-#include "software/hidden_sides.hpp"
-#include "submit/backend.hpp"
+#include "software/hidden_winding.hpp"
+#include "software/software_fast_path.hpp"
+#include "submit/prepare.hpp"
 
 namespace legacy_gl {
 
@@ -12,25 +12,15 @@ constexpr unsigned kLooksAtDraw = 3;
 
 }  // namespace
 
-const FramebufferFacts& Backend::framebuffer_facts(const Context& context) {
-  if (!framebuffer_facts_) {
-    GLint samples = 0, sample_buffers = 0;
-    driver.GetIntegerv(GL_SAMPLES, &samples);
-    driver.GetIntegerv(GL_SAMPLE_BUFFERS, &sample_buffers);
-    framebuffer_facts_ = {framebuffer_bits(context, FramebufferChannel::kDepth), samples > 1,
-                          sample_buffers > 0};
-  }
-  return *framebuffer_facts_;
-}
-
 /// How the surface is seen, if some of its triangles need not be drawn.
-std::optional<SurfaceView> Backend::surface_view(Context& context, const ListMesh& mesh,
-                                                 const Surface& surface) {
+std::optional<SurfaceView> SoftwareFastPath::surface_view(Context& context, const ListMesh& mesh,
+                                                          const Surface& surface) {
+  Submission& submission = *context.submission;
   if (surface.winding == Surface::Winding::kOpen || !shows_nearest_alone(context)) return {};
   const FramebufferFacts& framebuffer = framebuffer_facts(context);
   if (framebuffer.multisampled) return {};
   SurfaceView view;
-  view.to_clip = derived_.transform.modelview_projection;
+  view.to_clip = submission.inputs.transform.modelview_projection;
   view.viewport = context.raster.viewport;
   const Surface::Winding hidden =
       hidden_winding(surface.winding, {mesh.lowest, mesh.highest}, view.to_clip, view.viewport,
@@ -42,39 +32,42 @@ std::optional<SurfaceView> Backend::surface_view(Context& context, const ListMes
   return view;
 }
 
-bool Backend::draw_surface(Context& context, const ListMesh& mesh, MeshBuffers::Entry& buffers) {
-  if (!skips_unseen(context) || mesh.vertex_count() < kWorthwhileSurface) return false;
+bool SoftwareFastPath::draw_visible(Context& context, const ListMesh& mesh,
+                                    MeshBuffers::Entry& buffers) {
+  const Driver& driver = context.driver->functions;
+  Submission& submission = *context.submission;
+  if (!skips_hidden_triangles(context) || mesh.vertex_count() < kWorthwhileSurface) return false;
   if (buffers.draws < kLooksAtDraw && (++buffers.draws == kLooksAtDraw || mesh.surface)) {
     buffers.draws = kLooksAtDraw;
     auto surface = mesh.surface ? mesh.surface : std::make_shared<Surface>(find_surface(mesh));
     if (surface->winding != Surface::Winding::kOpen) {
-      buffers.surface = std::make_unique<KeptSurface>();
+      buffers.surface = std::make_unique<CachedVisibleTriangles>();
       buffers.surface->surface = std::move(surface);
     }
   }
   if (!buffers.surface) return false;
-  KeptSurface& kept = *buffers.surface;
+  CachedVisibleTriangles& kept = *buffers.surface;
   const std::optional<SurfaceView> view = surface_view(context, mesh, *kept.surface);
   if (!view) return false;
   if (!use_program(context, GL_TRIANGLES, mesh.vertex_count())) return true;
   if (view != kept.view) {
-    index_scratch_.clear();
-    seen_triangles_.append(*kept.surface, *view, index_scratch_);
+    submission.indices.clear();
+    visible_triangles_.append(*kept.surface, *view, submission.indices);
     if (!kept.array) {
       driver.GenBuffers(1, &kept.index_buffer);
       kept.array =
           build_vertex_array(driver, mesh.layout, buffers.vertex_buffer, kept.index_buffer);
-      bound_array_ = kept.array;
+      context.driver->bound_array = kept.array;
     }
-    const std::size_t size = index_scratch_.size() * sizeof(std::uint32_t);
+    const std::size_t size = submission.indices.size() * sizeof(std::uint32_t);
     driver.BindBuffer(GL_COPY_WRITE_BUFFER, kept.index_buffer);
-    driver.BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), index_scratch_.data(),
-                      GL_DYNAMIC_DRAW);
-    kept.index_count = static_cast<GLsizei>(index_scratch_.size());
+    driver.BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size),
+                      submission.indices.data(), GL_DYNAMIC_DRAW);
+    kept.index_count = static_cast<GLsizei>(submission.indices.size());
     kept.view = view;
     context.statistics.index_bytes_uploaded += size;
   }
-  bind_vertex_array(kept.array);
+  context.driver->bind_vertex_array(kept.array);
   if (kept.index_count)
     driver.DrawElements(GL_TRIANGLES, kept.index_count, GL_UNSIGNED_INT, nullptr);
   ++context.statistics.draws;
