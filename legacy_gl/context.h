@@ -143,7 +143,7 @@ typedef struct legacy_gl_statistics {
   uint64_t triangles_unseen;      /**< triangles that were not drawn: they cover no sample, or
                                      others of their closed surface hide them */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */
-  uint64_t objects_lit;  /**< small objects that were lit on the CPU, to share draws with others */
+  uint64_t objects_lit; /**< small objects that were lit on the CPU, to share draws with others */
 } legacy_gl_statistics;
 
 /** LEGACY_GL_VERSION of the library that is linked, which may be newer than these headers. */

@@ -189,51 +189,6 @@ TEST_F(ClosedObjects, HiddenSidesAreLeftOutAndNoSampleChanges) {
 
 void light_one_side(const GlFunctions& gl) { gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0); }
 
-TEST_F(ClosedObjects, GivenByBeginAndEndTheyAreTheSame) {
-  change(light_one_side);
-  for (unsigned seed = 21; seed <= 26; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const std::uint64_t count = unseen(seed, 0.08F, false);
-    EXPECT_GT(count, kTriangles * 2 / 5);
-    EXPECT_LT(count, kTriangles * 4 / 5);
-    EXPECT_EQ(lit, kObjects);
-  }
-  EXPECT_GT(unseen(27, 0.08F), kTriangles / 3);
-  change([](const GlFunctions& gl) { gl.Translatef(0.75F, 0.2F, 0); });  // over the border
-  unseen(28, 0.08F, false);
-  change([](const GlFunctions& gl) { gl.ShadeModel(GL_FLAT); });
-  unseen(29, 0.08F, false);
-  change([](const GlFunctions& gl) { gl.Enable(GL_NORMALIZE); });
-  unseen(30, 0.08F, false);
-}
-
-// The hash of what changes may be the same, and so may be the first vertices.
-TEST_F(ClosedObjects, WhatChangesIsDrawnAsItIs) {
-  change(light_one_side);
-  const auto draw = [](RenderContext& context, float bend) {
-    context.make_current();
-    const GlFunctions& gl = context.gl;
-    gl.LoadIdentity();
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (int i = 0; i < 12; ++i) {
-      gl.PushMatrix();
-      gl.Translatef(0.2F * static_cast<float>(i) - 1.1F, 0.1F, -4);
-      gl.Rotatef(static_cast<float>(31 * i), 1, 2, 0.5F);
-      gl.Scalef(0.06F, 0.06F, 0.06F);
-      draw_bent_cube(gl, i == 7 ? bend : 0.25F);
-      gl.PopMatrix();
-    }
-    return context.read_rgba8();
-  };
-  legacy_gl_reset_statistics();
-  for (const float bend : {0.25F, 0.25F, 0.3F, 0.25F, 0.35F, 0.4F, 0.25F, 0.25F})
-    EXPECT_TRUE(
-        images_match(draw(ours, bend), draw(mesa, bend), {.max_difference_steps = 1}, "changes"));
-  ours.make_current();
-  const legacy_gl_statistics statistics = statistics_now();
-  EXPECT_GT(statistics.triangles_unseen, 200u);
-}
-
 TEST_F(ClosedObjects, WhatIsSmallerThanASampleIsNotDrawn) {
   change([](const GlFunctions& gl) { gl.Viewport(0, 0, 24, 24); });
   for (unsigned seed = 1; seed <= 4; ++seed) {
