@@ -102,12 +102,11 @@ typedef struct legacy_gl_options {
   const char* cache_directory;
   size_t cache_bytes; /**< what all files there may take, the oldest go first; 0: 32 MiB */
   legacy_gl_programs programs;
-  int accumulation_buffer;   /**< 1: the context has an accumulation buffer for glAccum */
-  int keep_unseen_triangles; /**< 1: triangles that nothing shows are handed to the driver too, as
-                                for its own statistics; 0: llvmpipe is spared them */
-  int scalars_for_vectors;   /**< 1: glMaterialf and its like, called with a name of several values,
-                                set the first and the others to 0, as Mesa does and the drop-in
-                                lets its programs; 0: GL_INVALID_ENUM, as the specification says */
+  int accumulation_buffer; /**< 1: the context has an accumulation buffer for glAccum */
+  int scalars_for_vectors; /**< 1: glMaterialf and its like, called with a name of several values,
+                              set the first and the others to 0, as Mesa does and the drop-in
+                              lets its programs; 0: GL_INVALID_ENUM, as the specification says */
+  int reserved;            /**< 0 */
   /** What is to be believed of the driver against what is found, e.g. "-rasterises_on_cpu" or
    * "generic": docs/driver_traits.md lists the names, a minus turns one off. The environment
    * variable LEGACY_GL_DRIVER_TRAITS wins. NULL: what is found. The text is read at once. */
@@ -140,8 +139,6 @@ typedef struct legacy_gl_statistics {
   uint64_t lights_culled; /**< enabled lights that a draw left out since they do not reach it */
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
-  uint64_t triangles_unseen;      /**< triangles that were not drawn: they cover no sample, or
-                                     others of their closed surface hide them */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */
   uint64_t objects_lit; /**< small objects that were lit on the CPU, to share draws with others */
 } legacy_gl_statistics;

@@ -35,6 +35,14 @@ std::size_t give(const std::string& whole, char* text, std::size_t size) {
   return whole.size();
 }
 
+void choose_paths(Context& context) {
+  const char* const variable = std::getenv("LEGACY_GL_DISABLE");
+  if (!variable) return;
+  std::string unknown;
+  context.paths = without_paths(variable, unknown);
+  if (!unknown.empty()) diagnose(context, "LEGACY_GL_DISABLE names no path by " + unknown);
+}
+
 /// The driver's traits under the overrides of the options and, which win, of the environment.
 DriverTraits chosen_traits(Context& context, const Driver& driver, const char* overrides) {
   std::string chosen = overrides ? overrides : "";
@@ -64,6 +72,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
     case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
   }
   auto whole = std::make_unique<WholeContext>(options);
+  choose_paths(*whole);
   driver.traits = chosen_traits(*whole, driver, options.driver_traits);
   constexpr std::size_t kDefaultCacheBytes = std::size_t{32} << 20;
   whole->attach(driver, options.programs,

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "context/attribute_stack.hpp"
+#include "context/optional_paths.hpp"
 #include "evaluator/evaluator.hpp"
 #include "lighting/lighting_state.hpp"
 #include "matrix/matrix_stack.hpp"
@@ -56,6 +57,7 @@ struct legacy_gl_context {
   legacy_gl_context& operator=(const legacy_gl_context&) = delete;
 
   legacy_gl_options options;
+  legacy_gl::OptionalPaths paths;  ///< of LEGACY_GL_DISABLE
   GLenum error = GL_NO_ERROR;
   std::uint32_t dirty = legacy_gl::kDirtyAll;
 

@@ -144,7 +144,9 @@ bool capture(const Driver& driver, const Positions& positions, const TransformUn
   return mapped != nullptr;
 }
 
-bool measure(const Driver& driver) {
+}  // namespace
+
+bool measure_cpu_arithmetic(const Driver& driver) {
   if (!can_capture(driver)) return false;
   const Positions positions = test_positions();
   TransformUniforms uniforms;
@@ -159,6 +161,8 @@ bool measure(const Driver& driver) {
   }
   return true;
 }
+
+namespace {
 
 /// What tells one driver from another.
 std::string identity_of(const Driver& driver) {
@@ -178,7 +182,7 @@ bool matches_cpu_arithmetic(const Driver& driver) {
   const std::string identity = identity_of(driver);
   const std::lock_guard lock(mutex);
   if (const auto at = known.find(identity); at != known.end()) return at->second;
-  return known[identity] = measure(driver);
+  return known[identity] = measure_cpu_arithmetic(driver);
 }
 
 }  // namespace legacy_gl

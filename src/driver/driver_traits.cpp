@@ -18,7 +18,7 @@ constexpr DriverTraitInfo kTable[] = {
     {"shares_fragment_stages", &DriverTraits::shares_fragment_stages, false,
      "on llvmpipe compiling the fragment stage takes most of a program's time, and a pipeline "
      "object keeps it; other drivers optimise across stages and lose by pipelines"},
-    {"draws_wide_lines", &DriverTraits::draws_wide_lines, false,
+    {"draws_wide_lines", &DriverTraits::draws_wide_lines, true,
      "forward-compatible contexts raise GL_INVALID_VALUE for wide lines, whatever range they tell "
      "(OpenGL 3.3 core spec E.2.1)"},
 };

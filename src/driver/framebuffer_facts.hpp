@@ -5,8 +5,6 @@ namespace legacy_gl {
 
 /// What the framebuffer that is drawn into is made of.
 struct FramebufferFacts {
-  GLint depth_bits = 0;
-  bool multisampled = false;
   bool has_sample_buffers = false;
   bool operator==(const FramebufferFacts&) const = default;
 };

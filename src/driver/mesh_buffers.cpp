@@ -10,9 +10,6 @@ void MeshBuffers::erase(const Entry& entry) {
   driver_.DeleteVertexArrays(1, &entry.array);
   driver_.DeleteBuffers(1, &entry.vertex_buffer);
   driver_.DeleteBuffers(1, &entry.index_buffer);
-  if (!entry.surface) return;
-  driver_.DeleteVertexArrays(1, &entry.surface->array);
-  driver_.DeleteBuffers(1, &entry.surface->index_buffer);
 }
 
 void MeshBuffers::erase_expired() {

@@ -1,22 +1,12 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <unordered_map>
 
 #include "driver/driver.hpp"
 #include "driver/vertex_arrays.hpp"
 #include "geometry/list_mesh.hpp"
-#include "geometry/visible_triangles.hpp"
 
 namespace legacy_gl {
-
-/// A closed mesh's triangles, and those of them that were drawn last.
-struct CachedVisibleTriangles {
-  std::shared_ptr<const Surface> surface;
-  std::optional<SurfaceView> view;
-  GLuint index_buffer = 0, array = 0;
-  GLsizei index_count = 0;
-};
 
 /// A list's mesh in the driver: uploaded when this context draws it first, deleted after the list
 /// is gone.
@@ -25,8 +15,6 @@ class MeshBuffers {
   struct Entry {
     std::weak_ptr<const ListMesh> mesh;
     GLuint vertex_buffer = 0, index_buffer = 0, array = 0;
-    unsigned draws = 0;  ///< so far, until it is looked at whether the mesh is closed
-    std::unique_ptr<CachedVisibleTriangles> surface;
   };
 
   explicit MeshBuffers(const Driver& driver) : driver_(driver) {}

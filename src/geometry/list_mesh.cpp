@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
-#include "geometry/object_surface.hpp"
 #include "geometry/primitives.hpp"
 #include "geometry/tiny_normals.hpp"
 
@@ -17,17 +15,6 @@ namespace {
 constexpr double kRoundingOfUnits = 2e-7;
 
 }  // namespace
-
-struct ListMesh::FoundObjectSurface {
-  std::once_flag once;
-  ObjectSurface surface;
-};
-
-const ObjectSurface& ListMesh::object_surface() const {
-  FoundObjectSurface& found = *object_surface_;
-  std::call_once(found.once, [&] { found.surface = find_object_surface(*this); });
-  return found.surface;
-}
 
 void ListMesh::draw_runs() {
   for (const PrimitiveRun& run : runs) {
@@ -79,7 +66,6 @@ void ListMesh::finish() {
   if (vertex_count() > kSmallDrawVertices) return;
   for (const PrimitiveRun& run : runs)
     if (!append_triangles(run, elements, triangles)) return triangles.clear();
-  object_surface_ = std::make_shared<FoundObjectSurface>();
 }
 
 }  // namespace legacy_gl

@@ -9,9 +9,6 @@
 
 namespace legacy_gl {
 
-struct ObjectSurface;
-struct Surface;
-
 /// Begin/End pairs of a display list, ready to draw: no work a vertex when the list is called.
 /// Vertices that are alike are kept once where primitives are independent; strips and fans keep
 /// their own order.
@@ -46,12 +43,6 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   bool tiny_normals = false;        ///< some may be too short for the driver (tiny_normals.hpp)
   float largest_color = 0;          ///< component of its colours, where it has them
 
-  /// Its triangles by the places where they meet, where somebody has looked at them already.
-  std::shared_ptr<const Surface> surface;
-
-  /// Of a mesh with `triangles`; found when it is first asked for, by any thread.
-  const ObjectSurface& object_surface() const;
-
   /// Makes `draws` of `runs`.
   void draw_runs();
 
@@ -61,10 +52,6 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   std::uint32_t vertex_count() const {
     return static_cast<std::uint32_t>(vertices.size() / offsets_of(layout).stride);
   }
-
- private:
-  struct FoundObjectSurface;
-  std::shared_ptr<FoundObjectSurface> object_surface_;
 };
 
 }  // namespace legacy_gl

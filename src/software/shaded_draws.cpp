@@ -10,7 +10,6 @@
 #include "geometry/float4.hpp"
 #include "record/current_normal.hpp"
 #include "record/pending.hpp"
-#include "software/hidden_winding.hpp"
 #include "software/software_fast_path.hpp"
 #include "software/vertex_lighting.hpp"
 #include "submit/batch.hpp"
@@ -63,28 +62,50 @@ class Chunk {
 
 /// The vertices of a mesh that are drawn, by the face that they are lit for: in the order in which
 /// they are asked for.
-class Places {
+class VertexSlots {
  public:
-  Places() {
-    for (auto& face : places_) face.fill(kNone);
+  VertexSlots() {
+    for (auto& face : slots_) face.fill(kNone);
   }
   std::uint32_t find(std::uint32_t vertex, unsigned face) {
-    std::uint32_t& place = places_[face][vertex];
-    if (place == kNone) {
-      place = count_++;
-      vertices_[place] = vertex << 1 | face;
+    std::uint32_t& slot = slots_[face][vertex];
+    if (slot == kNone) {
+      slot = count_++;
+      vertices_[slot] = vertex << 1 | face;
     }
-    return place;
+    return slot;
   }
   std::uint32_t count() const { return count_; }
-  std::uint32_t vertex(std::uint32_t place) const { return vertices_[place] >> 1; }
-  unsigned face(std::uint32_t place) const { return vertices_[place] & 1; }
+  std::uint32_t vertex(std::uint32_t slot) const { return vertices_[slot] >> 1; }
+  unsigned face(std::uint32_t slot) const { return vertices_[slot] & 1; }
 
  private:
   static constexpr std::uint32_t kNone = ~0u;
-  std::array<std::array<std::uint32_t, kSmallDrawVertices>, 2> places_;
+  std::array<std::array<std::uint32_t, kSmallDrawVertices>, 2> slots_;
   std::array<std::uint32_t, 2 * kSmallDrawVertices> vertices_;
   std::uint32_t count_ = 0;
+};
+
+/// Where a mesh's vertices have their positions and normals; the current normal where it has none.
+class MeshVertices {
+ public:
+  MeshVertices(const Context& context, const ListMesh& mesh)
+      : vertices_(mesh.vertices.data()),
+        offsets_(offsets_of(mesh.layout)),
+        has_normals_(mesh.layout.fields & kFieldNormal),
+        current_(normal_to_draw(context)) {}
+  const float* position(std::uint32_t vertex) const {
+    return vertices_ + std::size_t{vertex} * offsets_.stride;
+  }
+  const float* normal(std::uint32_t vertex) const {
+    return has_normals_ ? position(vertex) + offsets_.normal : &current_[0];
+  }
+
+ private:
+  const float* vertices_;
+  VertexOffsets offsets_;
+  bool has_normals_;
+  glm::vec3 current_;
 };
 
 Columns to_clip(const Context& context) {
@@ -134,14 +155,15 @@ bool are_modest(const std::vector<Light>& lights) {
 }  // namespace
 
 struct SoftwareFastPath::PlacedMesh {
-  std::array<Float4, kSmallDrawVertices> clip;  ///< coordinates of the surface's places
+  std::array<Float4, kSmallDrawVertices> clip;  ///< coordinates of the mesh's vertices
   ClipFlags flags;
 
-  PlacedMesh(const glm::mat4& to_clip, const ObjectSurface& surface) {
+  PlacedMesh(const glm::mat4& to_clip, const ListMesh& mesh) {
     const Columns matrix = columns(to_clip);
-    for (std::size_t i = 0; i < surface.places.size(); ++i) {
-      const glm::vec3& p = surface.places[i];
-      clip[i] = product(matrix, p.x, p.y, p.z, 1);
+    const unsigned stride = offsets_of(mesh.layout).stride;
+    const float* p = mesh.vertices.data();
+    for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i, p += stride) {
+      clip[i] = product(matrix, p[0], p[1], p[2], 1);
       flags.add(clip[i]);
     }
   }
@@ -149,7 +171,8 @@ struct SoftwareFastPath::PlacedMesh {
 
 bool SoftwareFastPath::may_light(const Context& context) {
   DriverObjects& objects = *context.driver;
-  return context.lighting.enabled && objects.programs.has_stand_ins() && !context.fog.enabled &&
+  return context.paths.cpu_lighting && context.lighting.enabled &&
+         objects.programs.has_stand_ins() && !context.fog.enabled &&
          !active_textures(context.texture).mask && Recorder::relevant_layout(context) == kLitFrom &&
          !looks_at_reach(context) && !replaces_lines(context) &&
          !context.raster.point.is_attenuated();
@@ -230,82 +253,71 @@ bool SoftwareFastPath::can_shade_mesh(Context& context, const ListMesh& mesh) {
          update_lighting(context, facts);
 }
 
-/// What of the object may be seen; `clip` holds its places, which are in the view if it is
-/// `inside`.
-const std::vector<std::uint16_t>& SoftwareFastPath::visible_triangles(Context& context,
-                                                                      const ObjectSurface& surface,
-                                                                      const Float4* clip,
-                                                                      bool inside) {
-  if (!inside || !skips_hidden_triangles(context)) return visible_object_.all(surface);
-  const FramebufferFacts& framebuffer = framebuffer_facts(context);
-  if (framebuffer.multisampled) return visible_object_.all(surface);
-  const ViewportState& viewport = context.raster.viewport;
-  VisibleObject::View view{ScreenScale(viewport)};
-  if (surface.winding != Surface::Winding::kOpen && shows_nearest_alone(context))
-    view.hidden = inner_winding(surface.winding, lighting_.transform.modelview_projection);
-  view.depth_steps =
-      std::ldexp((viewport.depth_far - viewport.depth_near) / 2, framebuffer.depth_bits);
-  return visible_object_.find(surface, clip, view);
-}
-
 bool SoftwareFastPath::append_shaded_mesh(Context& context, const ListMesh& mesh) {
   Recorder& recorder = context.recorder;
   if (!can_shade_mesh(context, mesh)) return false;
-  if (!recorder.all_shaded() && recorder.has_pending() && !shade_pending(context))
-    flush_pending(context);
-  if (!can_shade_mesh(context, mesh)) return false;  // the state's inputs again
-  const PlacedMesh placed(lighting_.transform.modelview_projection, mesh.object_surface());
-  append_placed_mesh(context, mesh, placed);
+  if (!recorder.all_shaded() && recorder.has_pending()) {
+    if (!shade_pending(context)) flush_pending(context);
+    if (!can_shade_mesh(context, mesh)) return false;  // lighting_ held the pending draw's inputs
+  }
+  const PlacedMesh placed(lighting_.transform.modelview_projection, mesh);
+  if (placed.flags.outside()) {
+    ++context.statistics.primitives_clipped;
+    return true;
+  }
+  if (!recorder.has_pending()) recorder.become_shaded(context);
+  if (lighting_.key.two_side) append_both_faces(context, mesh, placed);
+  else append_front(context, mesh, placed);
+  recorder.set_all_transformed();
+  recorder.end_object(placed.flags.crosses());
+  ++context.statistics.objects_lit;
   recorder.flush_if_large(context);
   return true;
 }
 
-/// Of the state that lighting_ has. A vertex that triangles of both faces share is there twice.
-void SoftwareFastPath::append_placed_mesh(Context& context, const ListMesh& mesh,
-                                          const PlacedMesh& placed) {
+void SoftwareFastPath::append_front(Context& context, const ListMesh& mesh,
+                                    const PlacedMesh& placed) {
   Recorder& recorder = context.recorder;
-  const ObjectSurface& surface = mesh.object_surface();
-  if (placed.flags.outside()) {
-    ++context.statistics.primitives_clipped;
-    return;
-  }
-  const auto& clip = placed.clip;
-  const std::vector<std::uint16_t>& seen =
-      visible_triangles(context, surface, clip.data(), !placed.flags.crosses());
-  const std::size_t unseen = surface.triangles.size() - seen.size();
-  context.statistics.triangles_unseen += unseen;
-  if (seen.empty()) return;
-  if (!recorder.has_pending()) recorder.become_shaded(context);
   const std::uint32_t base = recorder.vertex_count();
-  Places places;
-  std::uint32_t* elements =
-      recorder.append_elements(context, GL_TRIANGLES, static_cast<std::uint32_t>(3 * seen.size()));
-  const bool clockwise = context.raster.polygon.front_face == GL_CW;
-  for (const std::uint16_t t : seen) {
-    unsigned face = kFront;
-    if (lighting_.key.two_side) {
-      const auto& [a, b, c] = surface.triangles[t];
-      const double twice = area(clip[a], clip[b], clip[c]);
-      face = (clockwise ? -twice : twice) < 0 ? kBack : kFront;
-    }
-    for (const std::uint32_t vertex : surface.corners[t])
-      *elements++ = base + places.find(vertex, face);
+  std::uint32_t* elements = recorder.append_elements(
+      context, GL_TRIANGLES, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const std::uint32_t vertex : mesh.triangles) *elements++ = base + vertex;
+  float* to = recorder.append_shaded(mesh.vertex_count());
+  const MeshVertices vertices(context, mesh);
+  Chunk chunk;
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i, to += kStride) {
+    store(to, placed.clip[i]);
+    chunk.add(vertices.position(i), vertices.normal(i), to + 4);
   }
-  float* vertex = recorder.append_shaded(places.count());
-  const VertexOffsets from = offsets_of(mesh.layout);
-  const bool has_normal = mesh.layout.fields & kFieldNormal;
-  const glm::vec3 current_normal = normal_to_draw(context);
+  chunk.light(lighting_, kFront);
+}
+
+/// A vertex that triangles of both faces share is there twice.
+void SoftwareFastPath::append_both_faces(Context& context, const ListMesh& mesh,
+                                         const PlacedMesh& placed) {
+  Recorder& recorder = context.recorder;
+  const std::uint32_t base = recorder.vertex_count();
+  std::uint32_t* elements = recorder.append_elements(
+      context, GL_TRIANGLES, static_cast<std::uint32_t>(mesh.triangles.size()));
+  VertexSlots slots;
+  const bool clockwise = context.raster.polygon.front_face == GL_CW;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    const std::uint32_t* const corners = &mesh.triangles[t];
+    const double twice =
+        area(placed.clip[corners[0]], placed.clip[corners[1]], placed.clip[corners[2]]);
+    const unsigned face = (clockwise ? -twice : twice) < 0 ? kBack : kFront;
+    for (unsigned corner = 0; corner < 3; ++corner)
+      *elements++ = base + slots.find(corners[corner], face);
+  }
+  float* to = recorder.append_shaded(slots.count());
+  const MeshVertices vertices(context, mesh);
   std::array<Chunk, 2> chunks;
-  for (std::uint32_t i = 0; i < places.count(); ++i, vertex += kStride) {
-    const std::uint32_t index = places.vertex(i);
-    const float* const p = mesh.vertices.data() + std::size_t{index} * from.stride;
-    store(vertex, clip[surface.place_of_vertex[index]]);
-    chunks[places.face(i)].add(p, has_normal ? p + from.normal : &current_normal[0], vertex + 4);
+  for (std::uint32_t i = 0; i < slots.count(); ++i, to += kStride) {
+    const std::uint32_t index = slots.vertex(i);
+    store(to, placed.clip[index]);
+    chunks[slots.face(i)].add(vertices.position(index), vertices.normal(index), to + 4);
   }
   for (const unsigned face : {kFront, kBack}) chunks[face].light(lighting_, face);
-  recorder.set_all_transformed();
-  recorder.end_object(placed.flags.crosses());
-  ++context.statistics.objects_lit;
 }
 
 }  // namespace legacy_gl

@@ -1,19 +1,14 @@
 #pragma once
 #include <memory>
-#include <optional>
-#include <vector>
 
-#include "geometry/float4.hpp"
-#include "geometry/visible_object.hpp"
-#include "geometry/visible_triangles.hpp"
 #include "submit/fast_path.hpp"
 #include "submit/submission.hpp"
 
 namespace legacy_gl {
 
 /// A driver whose vertex shader and rasteriser are the CPU's: small draws are transformed or lit
-/// here, so that draws of many matrices, lights and materials share one of the driver's, and
-/// triangles that nothing shows are left out. src/software/README.md says what each part was worth.
+/// here, so that draws of many matrices, lights and materials share one of the driver's.
+/// docs/performance.md says what it is worth to programs.
 class SoftwareFastPath final : public FastPath {
  public:
   bool detach_from_matrices(Context& context) override;
@@ -21,7 +16,6 @@ class SoftwareFastPath final : public FastPath {
   bool shades_next_draw(Context& context) override;
   bool append_mesh(Context& context, const ListMesh& mesh) override;
   bool finish_batch(Context& context) override;
-  bool draw_visible(Context& context, const ListMesh& mesh, MeshBuffers::Entry& buffers) override;
 
  private:
   // transformed_draws.cpp
@@ -36,27 +30,14 @@ class SoftwareFastPath final : public FastPath {
   bool can_shade_mesh(Context& context, const ListMesh& mesh);
   void shade_vertices(Context& context);
   bool append_shaded_mesh(Context& context, const ListMesh& mesh);
-  void append_placed_mesh(Context& context, const ListMesh& mesh, const PlacedMesh& placed);
-  const std::vector<std::uint16_t>& visible_triangles(Context& context,
-                                                      const ObjectSurface& surface,
-                                                      const Float4* clip, bool inside);
-
-  // visible_surface.cpp
-  std::optional<SurfaceView> surface_view(Context& context, const ListMesh& mesh,
-                                          const Surface& surface);
+  void append_front(Context& context, const ListMesh& mesh, const PlacedMesh& placed);
+  void append_both_faces(Context& context, const ListMesh& mesh, const PlacedMesh& placed);
 
   DrawInputs lighting_;  ///< of what is lit here: submission.inputs draws it with an unlit program
   bool shades_usual_draws_ = false;  ///< the answer of shades_next_draw for usual materials
-  VisibleObject visible_object_;
-  VisibleTriangles visible_triangles_;
 };
 
 /// The fast path for this driver; nullptr where none pays.
 std::unique_ptr<FastPath> make_software_fast_path(const Driver& driver);
-
-/// Triangles that cover no sample, or that others of their surface hide, may be left out.
-inline bool skips_hidden_triangles(const Context& context) {
-  return !context.options.keep_unseen_triangles;
-}
 
 }  // namespace legacy_gl

@@ -52,7 +52,7 @@ bool SoftwareFastPath::can_transform(Context& context) {
                                     kFieldTransformed | kFieldLightingPosition;
   if (recorder.layout().fields & ~kKnownFields) return false;
   if (recorder.layout().fields & kFieldTransformed) return true;
-  if (is_stippled(context.raster.line)) return false;
+  if (!context.paths.cpu_transform || is_stippled(context.raster.line)) return false;
   if (context.raster.point.is_attenuated()) return false;  // by eye coordinates
   if (looks_at_reach(context)) return false;               // each object has lights of its own
   update_inputs(context, recorder.layout());

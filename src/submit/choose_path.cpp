@@ -11,15 +11,16 @@ bool makes_primitives(const DrawRequest& request, const PathState& state) {
 
 DrawPath path_of_arrays(const DrawRequest& request, const PathState& state) {
   if (makes_primitives(request, state)) return DrawPath::kRecorder;
-  if (request.fetched_by_driver) return DrawPath::kArraysDirect;
-  if (!request.many_and_dense || request.plain_quads) return DrawPath::kRecorder;
+  if (request.fetched_by_driver && state.paths.arrays_direct) return DrawPath::kArraysDirect;
+  if (!request.many_and_dense || request.plain_quads || !state.paths.arrays_streamed)
+    return DrawPath::kRecorder;
   // The recorder makes short normals longer.
   if (request.has_tiny_normals && state.normalizes) return DrawPath::kRecorder;
   return DrawPath::kArraysStreamed;
 }
 
 DrawPath path_of_mesh(const DrawRequest& request, const PathState& state) {
-  if (makes_primitives(request, state)) return DrawPath::kRecorder;
+  if (makes_primitives(request, state) || !state.paths.list_meshes) return DrawPath::kRecorder;
   if (request.has_tiny_normals && state.normalizes) return DrawPath::kRecorder;
   return DrawPath::kMesh;
 }

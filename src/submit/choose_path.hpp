@@ -2,6 +2,7 @@
 // How a draw reaches the driver: the one place that decides it.
 #include <cstdint>
 
+#include "context/optional_paths.hpp"
 #include "state/gl_types.hpp"
 
 namespace legacy_gl {
@@ -38,6 +39,7 @@ struct PathState {
   bool unfilled = false;        ///< glPolygonMode makes polygons into lines or points
   bool replaces_lines = false;  ///< lines are made here: stippled, or wider than the driver draws
   bool normalizes = false;      ///< GL_NORMALIZE
+  OptionalPaths paths = {};     ///< what LEGACY_GL_DISABLE leaves
 };
 
 DrawPath choose_path(const DrawRequest& request, const PathState& state);

@@ -1,9 +1,9 @@
 #pragma once
-#include "driver/mesh_buffers.hpp"
-
 struct legacy_gl_context;
 
 namespace legacy_gl {
+
+struct ListMesh;
 
 /// What may be done instead of a driver's work where the driver rasterises on the CPU
 /// (src/software). Everything here may answer no, and where there is none all answers are no.
@@ -21,10 +21,6 @@ class FastPath {
   /// Before the recorder's batch is drawn: transforms or lights what is left of a batch that has
   /// begun so. False for every other batch.
   virtual bool finish_batch(legacy_gl_context& context) = 0;
-  /// Draws those triangles of the mesh that may be seen. The inputs are in the driver. False when
-  /// the mesh is to be drawn whole.
-  virtual bool draw_visible(legacy_gl_context& context, const ListMesh& mesh,
-                            MeshBuffers::Entry& buffers) = 0;
 };
 
 }  // namespace legacy_gl

@@ -71,8 +71,6 @@ void draw_mesh_from_buffers(Context& context, const ListMesh& mesh) {
 
   context.statistics.vertices += mesh.vertex_count();
   ++context.statistics.batches;
-  FastPath* const fast_path = submission.fast_path.get();
-  if (fast_path && fast_path->draw_visible(context, mesh, buffers)) return;
   context.driver->bind_vertex_array(buffers.array);
   for (const ListMesh::Draw& draw : mesh.draws) {
     if (!use_program(context, draw.mode, mesh.vertex_count())) continue;

@@ -1,6 +1,5 @@
 #include "submit/prepare.hpp"
 
-#include "execute/framebuffer.hpp"
 #include "geometry/line_stipple.hpp"
 #include "geometry/wide_lines.hpp"
 #include "record/pending.hpp"
@@ -73,11 +72,9 @@ void choose_points(const Context& context, ProgramKey& key) {
 const FramebufferFacts& framebuffer_facts(const Context& context) {
   std::optional<FramebufferFacts>& facts = context.driver->framebuffer_facts;
   if (!facts) {
-    GLint samples = 0, sample_buffers = 0;
-    context.driver->functions.GetIntegerv(GL_SAMPLES, &samples);
+    GLint sample_buffers = 0;
     context.driver->functions.GetIntegerv(GL_SAMPLE_BUFFERS, &sample_buffers);
-    facts = {framebuffer_bits(context, FramebufferChannel::kDepth), samples > 1,
-             sample_buffers > 0};
+    facts = {sample_buffers > 0};
   }
   return *facts;
 }

@@ -54,7 +54,8 @@ PathState path_state(const Context& context) {
   return {.renders = context.selection.is_rendering(),
           .unfilled = is_unfilled(context.raster.polygon),
           .replaces_lines = replaces_lines(context),
-          .normalizes = context.transform.normalize_enabled};
+          .normalizes = context.transform.normalize_enabled,
+          .paths = context.paths};
 }
 
 void DriverRenderer::draw_batch(Context& context) {

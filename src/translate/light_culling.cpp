@@ -133,7 +133,7 @@ float largest(const float* color, float so_far) {
 
 bool looks_at_reach(const Context& context) {
   const std::vector<Light>& lights = context.lighting.lights;
-  if (lights.size() <= kFewLights || !context.lighting.enabled ||
+  if (!context.paths.light_culling || lights.size() <= kFewLights || !context.lighting.enabled ||
       context.options.quality == LEGACY_GL_QUALITY_PRECISE)
     return false;
   unsigned enabled = 0;

@@ -1,12 +1,17 @@
 # legacy_gl_add_test(<target> SOURCES <file>... [LIBRARIES <library>...] [LABELS <label>...]
-#                    [TIMEOUT <seconds>] [WHOLE] [VALGRIND <GoogleTest filter>])
+#                    [TIMEOUT <seconds>] [WHOLE] [VALGRIND <GoogleTest filter>]
+#                    [TRAITS <GoogleTest filter>])
 #
 # A GoogleTest program linked with the static library; internal headers are included relative to
 # src/, test headers relative to tests/. Every TEST is one CTest entry, "<target>.<suite>.<name>";
 # with WHOLE the program is one entry, for many short tests that share an expensive start.
 # VALGRIND says which of its tests scripts/valgrind runs: all of them unless told, "-*" for none.
+#
+# A WHOLE program of the label gl runs a second time as "<target>.generic", with all that is known
+# of the driver put aside: the path that every GPU takes. TRAITS names the tests that ask for what a
+# trait or src/software brings; they are left out there, and where src/software is not built.
 function(legacy_gl_add_test target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "TIMEOUT;VALGRIND" "SOURCES;LIBRARIES;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "TIMEOUT;VALGRIND;TRAITS" "SOURCES;LIBRARIES;LABELS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
     message(FATAL_ERROR "legacy_gl_add_test(${target}): bad arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -22,8 +27,16 @@ function(legacy_gl_add_test target)
   if(LEGACY_GL_VALGRIND)
     legacy_gl_add_valgrind_test(${target} "${arg_VALGRIND}" "${arg_LABELS}")
   elseif(arg_WHOLE)
-    add_test(NAME ${target} COMMAND ${target})
-    set_tests_properties(${target} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
+    if(LEGACY_GL_SOFTWARE_FAST_PATH OR NOT "gl" IN_LIST arg_LABELS)
+      add_test(NAME ${target} COMMAND ${target})
+      set_tests_properties(${target} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
+    endif()
+    if("gl" IN_LIST arg_LABELS AND NOT "${arg_TRAITS}" STREQUAL "*")
+      add_test(NAME ${target}.generic COMMAND ${target} --gtest_filter=-${arg_TRAITS})
+      set_tests_properties(
+        ${target}.generic PROPERTIES LABELS generic TIMEOUT ${arg_TIMEOUT} ENVIRONMENT
+                                     LEGACY_GL_DRIVER_TRAITS=generic)
+    endif()
   else()
     # The list is read when ctest starts: a program that cannot run fails there and not in the build.
     gtest_discover_tests(
