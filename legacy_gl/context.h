@@ -140,7 +140,8 @@ typedef struct legacy_gl_statistics {
   uint64_t normal_matrix_updates; /**< times the normal matrix was computed */
   uint64_t list_vertices_welded;  /**< vertices that display lists share rather than repeat */
   uint64_t primitives_clipped;    /**< batches and list draws skipped: all is outside the view */
-  uint64_t objects_lit; /**< small objects that were lit on the CPU, to share draws with others */
+  uint64_t
+      draws_lit_on_cpu; /**< small objects that were lit on the CPU, to share draws with others */
 } legacy_gl_statistics;
 
 /** LEGACY_GL_VERSION of the library that is linked, which may be newer than these headers. */

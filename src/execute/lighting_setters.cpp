@@ -146,15 +146,15 @@ MaterialMask tracked_materials(const Context& context) {
 namespace {
 
 /// Small objects that differ in their material join one batch, which carries it with the vertices.
-bool carry_between_objects(Context& context, MaterialMask changes) {
+bool carry_between_small_draws(Context& context, MaterialMask changes) {
   Recorder& recorder = context.recorder;
   const MaterialMask seen = context.lighting.model.two_side
                                 ? MaterialMask{kFrontMaterialMask | kBackMaterialMask}
                                 : kFrontMaterialMask;
   const auto missing =
       static_cast<MaterialMask>(changes & seen & ~unsigned{recorder.layout().materials});
-  if (missing && (!recorder.object_may_end() || is_unfilled(context.raster.polygon))) return false;
-  recorder.end_object();
+  if (missing && (!recorder.small_draw_may_end() || is_unfilled(context.raster.polygon))) return false;
+  recorder.end_small_draw();
   recorder.carry_materials(context, missing);
   return true;
 }
@@ -189,7 +189,7 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
   if (recorder.is_shaded()) before_lighting_change(context);
   else if (recorder.inside_begin_end()) recorder.carry_materials(context, changes);
   else if (recorder.has_pending() && !shade_pending(context) &&
-           !carry_between_objects(context, changes))
+           !carry_between_small_draws(context, changes))
     flush_pending(context);
   for (unsigned i = 0; i < 2 * kPropertyCount; ++i)
     if (changes & (1u << i))

@@ -13,7 +13,7 @@ struct PrimitiveRun {
   std::uint32_t count = 0;
   bool indexed = false;
   /// Crosses the border of the view: drivers clip all that they draw together with it.
-  bool apart = false;
+  bool crosses_clip_volume = false;
 };
 
 /// Vertices at the end of a run that complete no primitive are dropped (GL 2.1 spec 2.6.1).

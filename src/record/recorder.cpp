@@ -53,8 +53,9 @@ bool list_of_independent_primitives(GLenum mode) {
 
 /// `run` goes on where `last` ends.
 bool joins(const PrimitiveRun& last, const PrimitiveRun& run) {
-  return last.mode == run.mode && last.indexed == run.indexed && !last.apart && !run.apart &&
-         list_of_independent_primitives(run.mode) && last.first + last.count == run.first;
+  return last.mode == run.mode && last.indexed == run.indexed && !last.crosses_clip_volume &&
+         !run.crosses_clip_volume && list_of_independent_primitives(run.mode) &&
+         last.first + last.count == run.first;
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ void Recorder::start_batch(Context& context) {
   if (has_pending()) return;
   if (context.bitmaps_pending) draw_pending(context);
   VertexLayout layout = relevant_layout(context);
-  note_object(context);
+  note_small_draw(context);
   joining_ = worth_trying();
   if (skip_) --skip_;
   if (joining_ && context.lighting.enabled) layout.materials = usual_materials_;
@@ -103,33 +104,33 @@ void Recorder::start_batch(Context& context) {
   cursor_ = storage_.get();
 }
 
-void Recorder::note_object(const Context& context) {
+void Recorder::note_small_draw(const Context& context) {
   constexpr std::uint32_t kOfObjects = kDirtyTransform | kDirtyMaterial;
   const bool alike = !(context.dirty & ~kOfObjects);
-  alike_ = alike ? std::min(alike_ + 1, kAlike) : 0;
+  similar_draws_ = alike ? std::min(similar_draws_ + 1, kSimilarDraws) : 0;
 }
 
-bool Recorder::joins_objects(const Context& context) {
-  if (!has_pending()) note_object(context);
+bool Recorder::joins_small_draws(const Context& context) {
+  if (!has_pending()) note_small_draw(context);
   const bool joins = has_pending() ? joining_ : worth_trying();
   if (skip_ && !has_pending()) --skip_;
   tried_joining_ = tried_joining_ || joins;
   return joins;
 }
 
-void Recorder::end_object(bool apart) {
+void Recorder::end_small_draw(bool crosses_clip_volume) {
   tried_joining_ = true;
-  if (vertex_count() == object_first_) return;
-  ++objects_;
-  object_first_ = vertex_count();
-  const std::size_t run = std::exchange(object_run_, runs_.size());
-  if (apart) {
-    for (std::size_t i = run; i < runs_.size(); ++i) runs_[i].apart = true;
+  if (vertex_count() == small_draw_first_) return;
+  ++small_draws_;
+  small_draw_first_ = vertex_count();
+  const std::size_t run = std::exchange(small_draw_run_, runs_.size());
+  if (crosses_clip_volume) {
+    for (std::size_t i = run; i < runs_.size(); ++i) runs_[i].crosses_clip_volume = true;
   } else if (run && run + 1 == runs_.size() && runs_[run].mode != GL_QUADS &&
              joins(runs_[run - 1], runs_[run])) {
     runs_[run - 1].count += runs_[run].count;
     runs_.pop_back();
-    object_run_ = runs_.size();
+    small_draw_run_ = runs_.size();
   }
 }
 
@@ -146,18 +147,6 @@ float* Recorder::append_shaded(std::uint32_t count) {
   float* const vertices = cursor_;
   cursor_ += std::size_t{count} * offsets_.stride;
   return vertices;
-}
-
-Recorder::Object Recorder::last_object() const {
-  return {object_first_, vertex_count() - object_first_,
-          storage_.get() + std::size_t{object_first_} * offsets_.stride, runs_.data() + object_run_,
-          runs_.size() - object_run_};
-}
-
-void Recorder::take_back_object() {
-  cursor_ = storage_.get() + std::size_t{object_first_} * offsets_.stride;
-  runs_.resize(object_run_);
-  runs_changed();
 }
 
 void Recorder::put_template(const Context& context, float* vertex) {
@@ -305,8 +294,8 @@ void Recorder::draw_part(Context& context) {
 
 void Recorder::vertex_slowly(Context& context, float x, float y, float z) {
   if (!inside_begin_end()) return;  // undefined outside Begin/End (GL 2.1 spec 2.6.1): ignored
-  const bool apart = mode_ == GL_TRIANGLES || mode_ == GL_LINES || mode_ == GL_POINTS;
-  if (apart && cursor_ >= limit_ && recorded_floats() + kMaxVertexFloats > kFlushFloats)
+  const bool independent = mode_ == GL_TRIANGLES || mode_ == GL_LINES || mode_ == GL_POINTS;
+  if (independent && cursor_ >= limit_ && recorded_floats() + kMaxVertexFloats > kFlushFloats)
     draw_part(context);
   float* const vertex = emit(context);
   vertex[0] = x;
@@ -339,7 +328,7 @@ void Recorder::add_run(Context& context, const PrimitiveRun& run) {
   if (!runs_.empty()) {
     ++context.statistics.begin_end_merged;
     PrimitiveRun& last = runs_.back();
-    if (runs_.size() > object_run_ && joins(last, run)) {
+    if (runs_.size() > small_draw_run_ && joins(last, run)) {
       last.count += run.count;
       return;
     }
@@ -462,14 +451,14 @@ void Recorder::clear() {
   if (tried_joining_) {
     // Three objects in a batch pay for the trouble; otherwise it is tried ever more rarely.
     constexpr std::uint32_t kWorthJoining = 3, kMostSkipped = 4096;
-    const bool paid = objects_ >= kWorthJoining;
+    const bool paid = small_draws_ >= kWorthJoining;
     backoff_ = paid ? 0 : std::min(2 * backoff_ + 16, kMostSkipped);
     skip_ = backoff_;
     usual_materials_ = paid ? layout_.materials : MaterialMask{0};
   }
   tried_joining_ = false;
-  objects_ = object_first_ = first_untransformed_ = 0;
-  object_run_ = 0;
+  small_draws_ = small_draw_first_ = first_untransformed_ = 0;
+  small_draw_run_ = 0;
   runs_.clear();
   runs_changed();
   elements_.clear();

@@ -42,15 +42,17 @@ class Recorder {
   /// now.
   void carry_materials(legacy_gl_context& context, MaterialMask mask);
 
-  /// A new object may join the batch, or begin one that others join.
-  bool joins_objects(const legacy_gl_context& context);
-  /// The pending batch goes on after a change: its last object is small. Otherwise it is to be
-  /// drawn.
-  bool object_may_end() const {
-    return joining_ && vertex_count() - object_first_ <= kSmallDrawVertices;
+  // A small draw is what lies between two changes of matrix or material, of at most
+  // kSmallDrawVertices. Small draws join one batch, unless that was tried and nothing came of it.
+
+  /// A new one may join the batch, or begin one that others join.
+  bool joins_small_draws(const legacy_gl_context& context);
+  /// The pending batch goes on after a change: its last draw is small. Otherwise it is to be drawn.
+  bool small_draw_may_end() const {
+    return joining_ && vertex_count() - small_draw_first_ <= kSmallDrawVertices;
   }
-  /// `apart`: as PrimitiveRun says.
-  void end_object(bool apart = false);
+  /// `crosses_clip_volume`: as PrimitiveRun says.
+  void end_small_draw(bool crosses_clip_volume = false);
   /// Takes back the last vertices, which no primitive names yet.
   void drop_vertices(std::uint32_t count) { cursor_ -= std::size_t{count} * offsets_.stride; }
   /// What vertices of the current values hold: a whole vertex, of which the position is not set.
@@ -72,16 +74,6 @@ class Recorder {
   void become_shaded(legacy_gl_context& context);
   /// Room for vertices that are lit already; follow with append_elements.
   float* append_shaded(std::uint32_t count);
-  /// What is not transformed yet.
-  struct Object {
-    std::uint32_t first_vertex, vertex_count;
-    const float* vertices;
-    const PrimitiveRun* runs;
-    std::size_t run_count;
-  };
-  Object last_object() const;
-  /// The last object is forgotten.
-  void take_back_object();
   void add_fields(const legacy_gl_context& context, std::uint16_t fields);
   float* data() { return storage_.get(); }
   /// From here on vertices carry the unit's r and q; those recorded before get 0 and 1.
@@ -141,17 +133,17 @@ class Recorder {
   void set_limit();
   void draw_part(legacy_gl_context& context);
 
-  /// An object begins: what changed since the last draw, if not matrices and materials alone?
-  void note_object(const legacy_gl_context& context);
-  bool worth_trying() const { return skip_ == 0 && alike_ >= kAlike; }
+  /// A draw begins: counts those before it that differ in matrices and materials alone.
+  void note_small_draw(const legacy_gl_context& context);
+  bool worth_trying() const { return skip_ == 0 && similar_draws_ >= kSimilarDraws; }
   float* put_materials(const legacy_gl_context& context, float* at);
 
-  std::uint32_t object_first_ = 0;
-  std::size_t object_run_ = 0;  ///< the object's first of runs_
-  std::uint32_t objects_ = 0;   ///< that ended in this batch
+  std::uint32_t small_draw_first_ = 0;
+  std::size_t small_draw_run_ = 0;  ///< its first of runs_
+  std::uint32_t small_draws_ = 0;   ///< that ended in this batch
   std::uint32_t first_untransformed_ = 0;
-  static constexpr std::uint32_t kAlike = 3;  ///< objects in a row before joining is tried
-  std::uint32_t alike_ = 0;  ///< objects that differ in matrices and materials alone
+  static constexpr std::uint32_t kSimilarDraws = 3;  ///< in a row before joining is tried
+  std::uint32_t similar_draws_ = 0;  ///< that differ in matrices and materials alone
   bool joining_ = false;
   bool tried_joining_ = false;
   std::uint32_t skip_ = 0;  ///< batches that are not to be tried

@@ -131,24 +131,24 @@ double area(const Float4& a, const Float4& b, const Float4& c) {
 }
 
 /// Products of these stay far inside float32's range.
-constexpr float kModest = 1e6f;
+constexpr float kBounded = 1e6f;
 
-bool is_modest(const glm::vec4& color) {
+bool is_bounded(const glm::vec4& color) {
   const glm::vec4 size = glm::abs(color);
-  return size.x < kModest && size.y < kModest && size.z < kModest;
+  return size.x < kBounded && size.y < kBounded && size.z < kBounded;
 }
 
-bool are_modest(const Materials& materials) {
+bool are_bounded(const Materials& materials) {
   return std::all_of(materials.begin(), materials.end(), [](const Material& m) {
-    return is_modest(m.ambient) && is_modest(m.diffuse) && is_modest(m.specular) &&
-           is_modest(m.emission);
+    return is_bounded(m.ambient) && is_bounded(m.diffuse) && is_bounded(m.specular) &&
+           is_bounded(m.emission);
   });
 }
 
-bool are_modest(const std::vector<Light>& lights) {
+bool are_bounded(const std::vector<Light>& lights) {
   return std::all_of(lights.begin(), lights.end(), [](const Light& light) {
-    return is_modest(light.ambient) && is_modest(light.diffuse) && is_modest(light.specular) &&
-           light.constant_attenuation > 1 / kModest;
+    return is_bounded(light.ambient) && is_bounded(light.diffuse) && is_bounded(light.specular) &&
+           light.constant_attenuation > 1 / kBounded;
   });
 }
 
@@ -174,7 +174,7 @@ bool SoftwareFastPath::may_light(const Context& context) {
   return context.paths.cpu_lighting && context.lighting.enabled &&
          objects.programs.has_stand_ins() && !context.fog.enabled &&
          !active_textures(context.texture).mask && Recorder::relevant_layout(context) == kLitFrom &&
-         !looks_at_reach(context) && !replaces_lines(context) &&
+         !culls_lights(context) && !replaces_lines(context) &&
          !context.raster.point.is_attenuated();
 }
 
@@ -195,14 +195,14 @@ bool SoftwareFastPath::shades_next_draw(Context& context) {
   const bool usual = context.options.quality == LEGACY_GL_QUALITY_DEFAULT &&
                      lighting.model.color_control == GL_SINGLE_COLOR &&
                      is_affine(context.transform.modelview.pending_top().base.exact) &&
-                     are_modest(lighting.materials);
+                     are_bounded(lighting.materials);
   const std::uint32_t changed =
       context.submission->dirty.take(context.dirty, DirtyReaders::kShadingState);
-  if (changed & ~kWithoutEffect) shades_usual_draws_ = false;
-  if (usual && shades_usual_draws_) return true;
+  if (changed & ~kWithoutEffect) shades_affine_draws_ = false;
+  if (usual && shades_affine_draws_) return true;
   const bool shaded = update_lighting(context, {}) && !lighting_.key.two_side;
-  shades_usual_draws_ =
-      usual && shaded && are_modest(lighting.lights) && is_modest(lighting.model.ambient);
+  shades_affine_draws_ =
+      usual && shaded && are_bounded(lighting.lights) && is_bounded(lighting.model.ambient);
   return shaded;
 }
 
@@ -242,8 +242,8 @@ void SoftwareFastPath::shade_vertices(Context& context) {
   }
   recorder.set_all_transformed();
   if (recorder.inside_begin_end()) return;
-  ++context.statistics.objects_lit;
-  recorder.end_object(flags.crosses());
+  ++context.statistics.draws_lit_on_cpu;
+  recorder.end_small_draw(flags.crosses());
 }
 
 bool SoftwareFastPath::can_shade_mesh(Context& context, const ListMesh& mesh) {
@@ -269,8 +269,8 @@ bool SoftwareFastPath::append_shaded_mesh(Context& context, const ListMesh& mesh
   if (lighting_.key.two_side) append_both_faces(context, mesh, placed);
   else append_front(context, mesh, placed);
   recorder.set_all_transformed();
-  recorder.end_object(placed.flags.crosses());
-  ++context.statistics.objects_lit;
+  recorder.end_small_draw(placed.flags.crosses());
+  ++context.statistics.draws_lit_on_cpu;
   recorder.flush_if_large(context);
   return true;
 }

@@ -34,7 +34,7 @@ class SoftwareFastPath final : public FastPath {
   void append_both_faces(Context& context, const ListMesh& mesh, const PlacedMesh& placed);
 
   DrawInputs lighting_;  ///< of what is lit here: submission.inputs draws it with an unlit program
-  bool shades_usual_draws_ = false;  ///< the answer of shades_next_draw for usual materials
+  bool shades_affine_draws_ = false;  ///< the answer of shades_next_draw for usual materials
 };
 
 /// The fast path for this driver; nullptr where none pays.

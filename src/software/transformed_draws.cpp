@@ -54,7 +54,7 @@ bool SoftwareFastPath::can_transform(Context& context) {
   if (recorder.layout().fields & kFieldTransformed) return true;
   if (!context.paths.cpu_transform || is_stippled(context.raster.line)) return false;
   if (context.raster.point.is_attenuated()) return false;  // by eye coordinates
-  if (looks_at_reach(context)) return false;               // each object has lights of its own
+  if (culls_lights(context)) return false;                 // each object has lights of its own
   update_inputs(context, recorder.layout());
   return reads_nothing_else(submission.inputs.key);
 }
@@ -119,7 +119,7 @@ void SoftwareFastPath::transform_vertices(Context& context) {
     for (int c = 0; c < 3; ++c) n[c] = normal[c];
   }
   recorder.set_all_transformed();
-  recorder.end_object(flags.crosses());
+  recorder.end_small_draw(flags.crosses());
 }
 
 /// The batch becomes one of transformed objects, if it is not one already.
@@ -146,7 +146,7 @@ bool SoftwareFastPath::detach_from_matrices(Context& context) {
   if (recorder.layout().fields & kFieldTransformed &&
       recorder.first_untransformed() == recorder.vertex_count())
     return true;
-  if (!recorder.object_may_end() || !begin_transformed(context)) return false;
+  if (!recorder.small_draw_may_end() || !begin_transformed(context)) return false;
   transform_vertices(context);
   return true;
 }
@@ -156,7 +156,7 @@ bool SoftwareFastPath::append_mesh(Context& context, const ListMesh& mesh) {
   constexpr unsigned kCopied = kFieldNormal | kFieldColor | kFieldSecondaryColor;
   if (append_shaded_mesh(context, mesh)) return true;
   if (mesh.layout.fields & ~kCopied || mesh.layout.materials || mesh.layout.texcoords) return false;
-  if (mesh.triangles.empty() || !recorder.joins_objects(context)) return false;
+  if (mesh.triangles.empty() || !recorder.joins_small_draws(context)) return false;
   const std::uint32_t count = mesh.vertex_count();
   float* const vertices = recorder.append_vertices(context, count, false);
   const std::uint32_t base = recorder.vertex_count() - count;
@@ -204,7 +204,7 @@ bool SoftwareFastPath::append_mesh(Context& context, const ListMesh& mesh) {
   for (std::size_t i = 0; i < triangles.size(); ++i) elements[i] = base + triangles[i];
   if (transform) {
     recorder.set_all_transformed();
-    recorder.end_object(flags.crosses());
+    recorder.end_small_draw(flags.crosses());
   }
   recorder.flush_if_large(context);
   return true;

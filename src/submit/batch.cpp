@@ -53,7 +53,7 @@ void draw_runs(Context& context, std::uint32_t base_vertex) {
       }
     } while (end < runs.size() && core_mode(runs[end].mode) == mode &&
              needs_indices(runs[end]) == indexed && (!indexed || joins_in_one_draw(mode)) &&
-             !runs[at].apart && !runs[end].apart);
+             !runs[at].crosses_clip_volume && !runs[end].crosses_clip_volume);
     at = end;
     if (!use_program(context, mode, recorder.vertex_count())) continue;
     if (indexed) {
@@ -103,7 +103,7 @@ void draw_batch_as_recorded(Context& context) {
   const Recorder& recorder = context.recorder;
   DrawBounds bounds;
   DrawFacts facts;
-  if (looks_at_reach(context) &&
+  if (culls_lights(context) &&
       find_bounds(context, recorder.layout(), recorder.data(), recorder.vertex_count(), bounds))
     facts.bounds = &bounds;
   update_inputs(context, recorder.layout(), facts);

@@ -34,7 +34,7 @@ void draw_mesh_from_buffers(Context& context, const ListMesh& mesh) {
                                                     (mesh.layout.wide_texcoords & kept));
   DrawFacts facts;
   facts.unit_normals = mesh.unit_normals;
-  const bool bounded = looks_at_reach(context);
+  const bool bounded = culls_lights(context);
   const DrawBounds bounds = bounded ? bounds_of(context, mesh) : DrawBounds{};
   if (bounded) facts.bounds = &bounds;
   update_inputs(context, wanted, facts);

@@ -131,7 +131,7 @@ float largest(const float* color, float so_far) {
 
 }  // namespace
 
-bool looks_at_reach(const Context& context) {
+bool culls_lights(const Context& context) {
   const std::vector<Light>& lights = context.lighting.lights;
   if (!context.paths.light_culling || lights.size() <= kFewLights || !context.lighting.enabled ||
       context.options.quality == LEGACY_GL_QUALITY_PRECISE)

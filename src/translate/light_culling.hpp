@@ -21,7 +21,7 @@ struct DrawBounds {
 
 /// Whether lights are worth a look for each draw: more than eight are enabled, and the quality
 /// allows an error of 1/1024 of a step.
-bool looks_at_reach(const Context& context);
+bool culls_lights(const Context& context);
 
 /// Of vertices that are recorded; false where their positions have a w.
 bool find_bounds(const Context& context, const VertexLayout& layout, const float* vertices,

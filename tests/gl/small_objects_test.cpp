@@ -275,9 +275,9 @@ TEST_P(SmallObjects, OfLightsAndModesOfTheirOwn) {
       EXPECT_EQ(actual.depths, expected.depths);
       const legacy_gl_statistics statistics = statistics_now();
       if (!lights_here()) {
-        EXPECT_EQ(statistics.objects_lit, 0u);
+        EXPECT_EQ(statistics.draws_lit_on_cpu, 0u);
       } else if (figure == draw_list) {
-        EXPECT_EQ(statistics.objects_lit, kObjects + 0u);
+        EXPECT_EQ(statistics.draws_lit_on_cpu, kObjects + 0u);
         EXPECT_LE(statistics.batches, 3u);
         EXPECT_LE(statistics.programs_compiled, 1u);
       }
