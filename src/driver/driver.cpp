@@ -24,42 +24,7 @@ void parse_version(Driver& driver, const char* version) {
     driver.major = driver.minor = 0;
 }
 
-}  // namespace
-
-bool has_extension(const Driver& driver, const char* name) {
-  GLint count = 0;
-  driver.GetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; ++i) {
-    const auto* const extension =
-        reinterpret_cast<const char*>(driver.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-    if (extension && std::strcmp(extension, name) == 0) return true;
-  }
-  return false;
-}
-
-DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
-  if (!load(driver.GetString, loader, "glGetString")) {
-    detail = "glGetString";
-    return DriverStatus::kMissingFunction;
-  }
-  const auto* const version = reinterpret_cast<const char*>(driver.GetString(GL_VERSION));
-  if (!version) {
-    detail = "glGetString(GL_VERSION) is NULL";
-    return DriverStatus::kNoContext;
-  }
-  parse_version(driver, version);
-  const int wanted_minor = driver.is_es() ? 0 : 3;
-  if (driver.major < 3 || (driver.major == 3 && driver.minor < wanted_minor)) {
-    detail = std::string("\"") + version + "\", where OpenGL 3.3 or OpenGL ES 3.0 is needed";
-    return DriverStatus::kTooOld;
-  }
-#define LEGACY_GL_LOAD(name, NAME)              \
-  if (!load(driver.name, loader, "gl" #name)) { \
-    detail = "gl" #name;                        \
-    return DriverStatus::kMissingFunction;      \
-  }
-  LEGACY_GL_DRIVER_FUNCTIONS(LEGACY_GL_LOAD)
-#undef LEGACY_GL_LOAD
+void load_optional(Driver& driver, Loader loader) {
   // A loader may hand out stubs for what the driver's dialect does not have: ask for the dialect's
   // own alone.
   const auto optional = [&](auto& function, const char* name, bool in_dialect) {
@@ -96,6 +61,45 @@ DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
   optional(driver.EndTransformFeedback, "glEndTransformFeedback", true);
   optional(driver.TransformFeedbackVaryings, "glTransformFeedbackVaryings", true);
   if (pipelines) optional(driver.ProgramParameteri, "glProgramParameteri", true);
+}
+
+}  // namespace
+
+bool has_extension(const Driver& driver, const char* name) {
+  GLint count = 0;
+  driver.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const auto* const extension =
+        reinterpret_cast<const char*>(driver.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    if (extension && std::strcmp(extension, name) == 0) return true;
+  }
+  return false;
+}
+
+DriverStatus load_driver(Driver& driver, Loader loader, std::string& detail) {
+  if (!load(driver.GetString, loader, "glGetString")) {
+    detail = "glGetString";
+    return DriverStatus::kMissingFunction;
+  }
+  const auto* const version = reinterpret_cast<const char*>(driver.GetString(GL_VERSION));
+  if (!version) {
+    detail = "glGetString(GL_VERSION) is NULL";
+    return DriverStatus::kNoContext;
+  }
+  parse_version(driver, version);
+  const int wanted_minor = driver.is_es() ? 0 : 3;
+  if (driver.major < 3 || (driver.major == 3 && driver.minor < wanted_minor)) {
+    detail = std::string("\"") + version + "\", where OpenGL 3.3 or OpenGL ES 3.0 is needed";
+    return DriverStatus::kTooOld;
+  }
+#define LEGACY_GL_LOAD(name, NAME)              \
+  if (!load(driver.name, loader, "gl" #name)) { \
+    detail = "gl" #name;                        \
+    return DriverStatus::kMissingFunction;      \
+  }
+  LEGACY_GL_DRIVER_FUNCTIONS(LEGACY_GL_LOAD)
+#undef LEGACY_GL_LOAD
+  load_optional(driver, loader);
   return DriverStatus::kOk;
 }
 

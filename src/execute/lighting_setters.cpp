@@ -153,7 +153,8 @@ bool carry_between_small_draws(Context& context, MaterialMask changes) {
                                 : kFrontMaterialMask;
   const auto missing =
       static_cast<MaterialMask>(changes & seen & ~unsigned{recorder.layout().materials});
-  if (missing && (!recorder.small_draw_may_end() || is_unfilled(context.raster.polygon))) return false;
+  if (missing && (!recorder.small_draw_may_end() || is_unfilled(context.raster.polygon)))
+    return false;
   recorder.end_small_draw();
   recorder.carry_materials(context, missing);
   return true;

@@ -80,7 +80,16 @@ class DrawInputs {
   void choose_space(const Context& context, const VertexLayout& layout);
   void choose_materials(const Context& context, const VertexLayout& layout);
   bool bakes(unsigned shininess);
+  /// Components of light times material.
+  struct LargestProducts {
+    double any = 0, specular = 0;
+  };
   void choose_lights(Context& context);
+  void choose_terms(Context& context, const Light& light, ActiveLight active,
+                    LargestProducts& largest);
+  bool build_light_runs();
+  void choose_sum_scale(const LightingState& lighting, double largest);
+  void choose_specular(const Context& context, double largest_specular);
   bool choose_reached(Context& context, const VertexLayout& layout, const DrawBounds* bounds);
   bool choose_normalize(Context& context, bool unit_normals);
   void fill_up_runs();
@@ -91,6 +100,20 @@ class DrawInputs {
   void fill_textures(Context& context);
   void fill_transform(const Context& context);
   void find_eye_directions(const Context& context);
+  /// From eye coordinates to the space that lights, normals and positions meet in.
+  struct LightAxes {
+    glm::dmat3 rotation{1.0};   ///< of points and axes
+    glm::dmat3 covariant{1.0};  ///< of vectors that meet normals
+    glm::dvec3 origin{0};
+    double scale = 1;
+  };
+  LightAxes light_axes(const Context& context) const;
+  void fill_direction(unsigned index, const LightAxes& axes, LightUniforms& uniforms,
+                      LightLow& low_part) const;
+  static void fill_point(const Light& light, const LightAxes& axes, LightUniforms& uniforms,
+                         LightLow& low_part);
+  static void fill_spot(const Light& light, const LightAxes& axes, LightUniforms& uniforms,
+                        LightLow& low_part);
   void fill_lights(const Context& context);
   void fill_faces(const Context& context);
 

@@ -40,74 +40,93 @@ void DrawInputs::find_eye_directions(const Context& context) {
   }
 }
 
+DrawInputs::LightAxes DrawInputs::light_axes(const Context& context) const {
+  const bool in_object_space = key.space == LightingSpace::kObject;
+  LightAxes axes;
+  if (in_object_space) {
+    axes.scale = linear_.scale;
+    axes.rotation = linear_.inverse * linear_.scale;
+  }
+  // Vectors that meet the normal as it is given.
+  double factor = context.transform.rescale_normal_enabled ? linear_.rescale_factor : 1.0;
+  if (context.transform.normalize_enabled) factor = linear_.scale;
+  axes.covariant = directions_only_ ? linear_.inverse * factor : axes.rotation;
+  if (key.space != LightingSpace::kEyeHomogeneous)
+    axes.origin = glm::dvec3(modelview(context).exact[3]);
+  return axes;
+}
+
+/// A directional light: the vector to it, and its half vector where the viewer is infinite.
+void DrawInputs::fill_direction(unsigned index, const LightAxes& axes, LightUniforms& uniforms,
+                                LightLow& low_part) const {
+  const glm::dvec3 direction = axes.covariant * eye_directions_[index].to_light;
+  const bool split = key.quality == Quality::kPrecise;
+  uniforms.position = finite(split ? coarse(direction) : direction, 0);
+  low_part.position = rest_of(glm::dvec4(direction, 0), uniforms.position);
+  // A normal made unit length in object space meets a half vector that is so too.
+  glm::dvec3 half_vector = axes.covariant * eye_directions_[index].half_vector;
+  if (key.normal == NormalMode::kNormalize ||
+      (key.quality == Quality::kDefault && !splits_half_vectors(key)))
+    half_vector = unit(half_vector);
+  uniforms.half_vector = finite(splits_half_vectors(key) ? coarse(half_vector) : half_vector, 0);
+  uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
+}
+
+/// A point light: where it is, and its attenuation.
+void DrawInputs::fill_point(const Light& light, const LightAxes& axes, LightUniforms& uniforms,
+                            LightLow& low_part) {
+  const glm::dvec3 position(light.position_eye);
+  const glm::dvec3 point =
+      axes.rotation * (position / light.position_eye.w - axes.origin) / axes.scale;
+  uniforms.position = finite(point, 1);
+  low_part.position = low(point, 1);
+  const double k0 = static_cast<double>(light.constant_attenuation);
+  const double k1 = static_cast<double>(light.linear_attenuation) * axes.scale;
+  const double k2 = static_cast<double>(light.quadratic_attenuation) * axes.scale * axes.scale;
+  const double unit_of_distance = attenuation_unit(k1, k2);
+  uniforms.half_vector.w = static_cast<float>(1 / unit_of_distance);
+  uniforms.attenuation =
+      finite(glm::dvec3(k0, k1 * unit_of_distance, k2 * unit_of_distance * unit_of_distance),
+             static_cast<double>(light.spot_exponent));
+  // A light whose constant attenuation is folded meets the widest kind with attenuation 1.
+  if (k1 == 0 && k2 == 0) uniforms.attenuation = {1, 0, 0, light.spot_exponent};
+  fill_spot(light, axes, uniforms, low_part);
+}
+
+void DrawInputs::fill_spot(const Light& light, const LightAxes& axes, LightUniforms& uniforms,
+                           LightLow& low_part) {
+  if (is_spot(light)) {
+    const double half_cutoff =
+        static_cast<double>(light.spot_cutoff_degrees) * (std::numbers::pi / 360);
+    // Vertices on the cone are lit: the bound leaves room for the rounding of the chord, and
+    // for that of two unit vectors that are opposite.
+    double limit = std::max(2 * std::sin(half_cutoff) * std::sin(half_cutoff) * (1 + 3e-7), 1e-13);
+    // Where the cosine is 0 its power is too, and has no logarithm.
+    if (light.spot_exponent > 0) limit = std::min(limit, kBelowOne);
+    const glm::dvec3 axis = axes.rotation * unit(light.spot_direction_eye);
+    uniforms.spot_direction = finite(axis, limit);
+    low_part.spot_direction = low(axis, limit);
+  } else {
+    uniforms.spot_direction = {0, 0, 0, 4};
+    uniforms.attenuation.w = 0;
+  }
+}
+
 void DrawInputs::fill_lights(const Context& context) {
   stale[kLightsBlock] = true;
   stale[kPreciseBlock] = true;
   lights.clear();
   lights_low.clear();
-  const glm::dvec3 translation(modelview(context).exact[3]);
-  const bool in_object_space = key.space == LightingSpace::kObject;
-  const double scale = in_object_space ? linear_.scale : 1;
-  const glm::dmat3 rotation = in_object_space ? linear_.inverse * linear_.scale : glm::dmat3(1.0);
-  // Vectors that meet the normal as it is given.
-  double factor = context.transform.rescale_normal_enabled ? linear_.rescale_factor : 1.0;
-  if (context.transform.normalize_enabled) factor = linear_.scale;
-  const glm::dmat3 covariant = directions_only_ ? linear_.inverse * factor : rotation;
-  const glm::dvec3 origin =
-      key.space == LightingSpace::kEyeHomogeneous ? glm::dvec3(0) : translation;
-
+  const LightAxes axes = light_axes(context);
   for (const ActiveLight& active : active_) {
     if (!(active.kind & (kLightAmbient | kLightDiffuse | kLightSpecular))) continue;
     const Light& light = context.lighting.lights[active.index];
     LightUniforms uniforms;
-    LightLow uniforms_low;
-    const glm::dvec3 position(light.position_eye);
-    if (is_directional(light)) {
-      const glm::dvec3 direction = covariant * eye_directions_[active.index].to_light;
-      const bool split = key.quality == Quality::kPrecise;
-      uniforms.position = finite(split ? coarse(direction) : direction, 0);
-      uniforms_low.position = rest_of(glm::dvec4(direction, 0), uniforms.position);
-      // A normal made unit length in object space meets a half vector that is so too.
-      glm::dvec3 half_vector = covariant * eye_directions_[active.index].half_vector;
-      if (key.normal == NormalMode::kNormalize ||
-          (key.quality == Quality::kDefault && !splits_half_vectors(key)))
-        half_vector = unit(half_vector);
-      uniforms.half_vector =
-          finite(splits_half_vectors(key) ? coarse(half_vector) : half_vector, 0);
-      uniforms.attenuation = finite(half_vector - glm::dvec3(uniforms.half_vector), 0);
-    } else {
-      const glm::dvec3 point = rotation * (position / light.position_eye.w - origin) / scale;
-      uniforms.position = finite(point, 1);
-      uniforms_low.position = low(point, 1);
-      const double k0 = static_cast<double>(light.constant_attenuation);
-      const double k1 = static_cast<double>(light.linear_attenuation) * scale;
-      const double k2 = static_cast<double>(light.quadratic_attenuation) * scale * scale;
-      const double unit_of_distance = attenuation_unit(k1, k2);
-      uniforms.half_vector.w = static_cast<float>(1 / unit_of_distance);
-      uniforms.attenuation =
-          finite(glm::dvec3(k0, k1 * unit_of_distance, k2 * unit_of_distance * unit_of_distance),
-                 static_cast<double>(light.spot_exponent));
-      // A light whose constant attenuation is folded meets the widest kind with attenuation 1.
-      if (k1 == 0 && k2 == 0) uniforms.attenuation = {1, 0, 0, light.spot_exponent};
-      if (is_spot(light)) {
-        const double half_cutoff =
-            static_cast<double>(light.spot_cutoff_degrees) * (std::numbers::pi / 360);
-        // Vertices on the cone are lit: the bound leaves room for the rounding of the chord, and
-        // for that of two unit vectors that are opposite.
-        double limit =
-            std::max(2 * std::sin(half_cutoff) * std::sin(half_cutoff) * (1 + 3e-7), 1e-13);
-        // Where the cosine is 0 its power is too, and has no logarithm.
-        if (light.spot_exponent > 0) limit = std::min(limit, kBelowOne);
-        const glm::dvec3 axis = rotation * unit(light.spot_direction_eye);
-        uniforms.spot_direction = finite(axis, limit);
-        uniforms_low.spot_direction = low(axis, limit);
-      } else {
-        uniforms.spot_direction = {0, 0, 0, 4};
-        uniforms.attenuation.w = 0;
-      }
-    }
+    LightLow low_part;
+    if (is_directional(light)) fill_direction(active.index, axes, uniforms, low_part);
+    else fill_point(light, axes, uniforms, low_part);
     lights.push_back(uniforms);
-    if (key.quality == Quality::kPrecise) lights_low.push_back(uniforms_low);
+    if (key.quality == Quality::kPrecise) lights_low.push_back(low_part);
   }
 }
 

@@ -69,6 +69,27 @@ bool by_kind(const ActiveLight& a, const ActiveLight& b) {
   return a.kind != b.kind ? a.kind > b.kind : a.index < b.index;
 }
 
+/// How the light enters, but for its terms.
+ActiveLight classify(const Light& light, unsigned index) {
+  ActiveLight active{index, 0, 1};
+  if (is_directional(light)) {
+    if (is_spot(light)) active.strength = directional_spot_factor(light);
+    return active;
+  }
+  active.kind |= kLightPoint;
+  if (light.linear_attenuation != 0 || light.quadratic_attenuation != 0)
+    active.kind |= kLightAttenuated;
+  else if (light.constant_attenuation != 1)
+    active.strength = light.constant_attenuation == 0
+                          ? double{FLT_MAX}
+                          : 1 / static_cast<double>(light.constant_attenuation);
+  if (is_spot(light)) {
+    active.kind |= kLightSpot;
+    if (light.spot_exponent != 0) active.kind |= kLightSpotExponent;
+  }
+  return active;
+}
+
 }  // namespace
 
 void DrawInputs::choose_materials(const Context& context, const VertexLayout& layout) {
@@ -86,80 +107,55 @@ void DrawInputs::choose_materials(const Context& context, const VertexLayout& la
     }
 }
 
-void DrawInputs::choose_lights(Context& context) {
-  active_.clear();
-  double largest = 0, largest_specular = 0;
-  const LightingState& lighting = context.lighting;
-  for (unsigned i = 0; i < lighting.lights.size(); ++i) {
-    const Light& light = lighting.lights[i];
-    if (!light.enabled || !reached_[i]) continue;
-    ActiveLight active{i, 0, 1};
-    if (is_directional(light)) {
-      if (is_spot(light)) active.strength = directional_spot_factor(light);
-    } else {
-      active.kind |= kLightPoint;
-      if (light.linear_attenuation != 0 || light.quadratic_attenuation != 0)
-        active.kind |= kLightAttenuated;
-      else if (light.constant_attenuation != 1)
-        active.strength = light.constant_attenuation == 0
-                              ? double{FLT_MAX}
-                              : 1 / static_cast<double>(light.constant_attenuation);
-      if (is_spot(light)) {
-        active.kind |= kLightSpot;
-        if (light.spot_exponent != 0) active.kind |= kLightSpotExponent;
-      }
-    }
-    bool ambient = false, diffuse = false, specular = false;
-    for (unsigned face = 0; face < face_count(key); ++face) {
-      const auto adds = [&](unsigned property, const glm::vec4& color) {
-        const glm::dvec3 product =
-            rgb(color) * uniform_material(context, key, face, property) * active.strength;
-        const double size = largest_component(product);
-        largest = std::max(largest, size);
-        if (property == kSpecular) largest_specular = std::max(largest_specular, size);
-        return !is_black(product);
-      };
-      ambient |= adds(kAmbient, light.ambient);
-      diffuse |= adds(kDiffuse, light.diffuse);
-      specular |= adds(kSpecular, light.specular);
-    }
-    if (diffuse) active.kind |= kLightDiffuse;
-    if (specular) active.kind |= kLightSpecular;
-    if (ambient && !folds_into_scene(active.kind)) active.kind |= kLightAmbient;
-    // A light whose ambient term is folded stays in the list with no term of its own until the sums
-    // are made.
-    if (!ambient && !diffuse && !specular) {
-      ++context.statistics.lights_skipped;
+/// Appends the light to active_ with those of its terms that are not black.
+void DrawInputs::choose_terms(Context& context, const Light& light, ActiveLight active,
+                              LargestProducts& largest) {
+  bool ambient = false, diffuse = false, specular = false;
+  for (unsigned face = 0; face < face_count(key); ++face) {
+    const auto adds = [&](unsigned property, const glm::vec4& color) {
+      const glm::dvec3 product =
+          rgb(color) * uniform_material(context, key, face, property) * active.strength;
+      const double size = largest_component(product);
+      largest.any = std::max(largest.any, size);
+      if (property == kSpecular) largest.specular = std::max(largest.specular, size);
+      return !is_black(product);
+    };
+    ambient |= adds(kAmbient, light.ambient);
+    diffuse |= adds(kDiffuse, light.diffuse);
+    specular |= adds(kSpecular, light.specular);
+  }
+  if (diffuse) active.kind |= kLightDiffuse;
+  if (specular) active.kind |= kLightSpecular;
+  if (ambient && !folds_into_scene(active.kind)) active.kind |= kLightAmbient;
+  // A light whose ambient term is folded stays in the list with no term of its own until the sums
+  // are made.
+  if (!ambient && !diffuse && !specular) {
+    ++context.statistics.lights_skipped;
+    return;
+  }
+  active_.push_back(active);
+  count_skipped(context.statistics, light, ambient + diffuse + specular);
+}
+
+/// Neighbours of one kind are a run. False when there are too many runs.
+bool DrawInputs::build_light_runs() {
+  constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
+  key.lights = {};
+  unsigned runs = 0;
+  for (const ActiveLight& light : active_) {
+    if (!(light.kind & kTerms)) continue;
+    if (runs && key.lights[runs - 1].kind == light.kind) {
+      ++key.lights[runs - 1].count;
       continue;
     }
-    active_.push_back(active);
-    count_skipped(context.statistics, light, ambient + diffuse + specular);
+    if (runs == kMaxLightRuns) return false;
+    key.lights[runs++] = {light.kind, 1};
   }
-  std::sort(active_.begin(), active_.end(), by_kind);
+  return true;
+}
 
-  constexpr std::uint8_t kTerms = kLightAmbient | kLightDiffuse | kLightSpecular;
-  const auto build_runs = [&] {
-    key.lights = {};
-    unsigned runs = 0;
-    for (const ActiveLight& light : active_) {
-      if (!(light.kind & kTerms)) continue;
-      if (runs && key.lights[runs - 1].kind == light.kind) {
-        ++key.lights[runs - 1].count;
-        continue;
-      }
-      if (runs == kMaxLightRuns) return false;
-      key.lights[runs++] = {light.kind, 1};
-    }
-    return true;
-  };
-  if (!build_runs()) {
-    for (ActiveLight& light : active_) light.kind = widest_kind(light.kind);
-    std::sort(active_.begin(), active_.end(), by_kind);
-    build_runs();
-  }
-
-  if (!reached_.all()) fill_up_runs();
-
+/// Products beyond what float32 can sum are divided by a power of two.
+void DrawInputs::choose_sum_scale(const LightingState& lighting, double largest) {
   for (unsigned face = 0; face < face_count(key); ++face) {
     const Material& material = lighting.materials[face];
     largest = std::max({largest, largest_component(rgb(material.emission)),
@@ -169,7 +165,10 @@ void DrawInputs::choose_lights(Context& context) {
   if (key.light_count() && largest > kLargestProduct && std::isfinite(largest))
     sum_scale_ = std::exp2(std::ceil(std::log2(largest / kLargestProduct)));
   key.scaled_sums = sum_scale_ != 1;
+}
 
+void DrawInputs::choose_specular(const Context& context, double largest_specular) {
+  const LightingState& lighting = context.lighting;
   const bool specular = has_light(key, kLightSpecular);
   key.local_viewer = specular && lighting.model.local_viewer;
   key.separate_specular = specular && lighting.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
@@ -185,6 +184,25 @@ void DrawInputs::choose_lights(Context& context) {
                                       ? static_cast<std::uint8_t>(shininess)
                                       : kGeneralShininess;
   }
+}
+
+void DrawInputs::choose_lights(Context& context) {
+  active_.clear();
+  LargestProducts largest;
+  const LightingState& lighting = context.lighting;
+  for (unsigned i = 0; i < lighting.lights.size(); ++i) {
+    const Light& light = lighting.lights[i];
+    if (light.enabled && reached_[i]) choose_terms(context, light, classify(light, i), largest);
+  }
+  std::sort(active_.begin(), active_.end(), by_kind);
+  if (!build_light_runs()) {
+    for (ActiveLight& light : active_) light.kind = widest_kind(light.kind);
+    std::sort(active_.begin(), active_.end(), by_kind);
+    build_light_runs();
+  }
+  if (!reached_.all()) fill_up_runs();
+  choose_sum_scale(lighting, largest.any);
+  choose_specular(context, largest.specular);
 }
 
 /// Black lights bring the number of each kind to a power of two: how many lights reach a draw
