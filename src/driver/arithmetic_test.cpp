@@ -1,6 +1,8 @@
 #include "driver/arithmetic_test.hpp"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -157,7 +159,9 @@ bool measure_cpu_arithmetic(const Driver& driver) {
   for (unsigned i = 0; i < kVertices; ++i) {
     const Float4 expected =
         product(matrix, positions[i][0], positions[i][1], positions[i][2], 1.0f);
-    if (std::memcmp(&expected, captured[i].data(), sizeof expected) != 0) return false;
+    // Bit by bit: -0 differs from 0, and a NaN equals itself.
+    using Bits = std::array<std::uint32_t, 4>;
+    if (std::bit_cast<Bits>(expected) != std::bit_cast<Bits>(captured[i])) return false;
   }
   return true;
 }
