@@ -1,6 +1,8 @@
 #include "execute/attribute_stack.hpp"
 
 #include "driver/driver_objects.hpp"
+#include "context/context.hpp"
+#include "execute/attributes.hpp"
 #include "execute/capabilities.hpp"
 #include "execute/framebuffer.hpp"
 #include "execute/lighting_setters.hpp"
@@ -77,6 +79,15 @@ void restore_textures(Context& context, const TextureGroup& saved) {
     }
 }
 
+/// As by the calls, since the vertices that are recorded may lack r and q.
+void restore_current(Context& context, const CurrentValues& saved) {
+  context.current = saved;
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit) {
+    const glm::vec4& to = saved.texture_coordinates[unit];
+    execute::texcoord4(context, unit, to.s, to.t, to.p, to.q);
+  }
+}
+
 /// A buffer object that was deleted since the push does not come back.
 void forget_deleted_buffers(Context& context) {
   BufferObjects& buffers = context.driver->buffers;
@@ -117,7 +128,7 @@ void save_attributes(Context& context, GLbitfield mask, SavedAttributes& level) 
 void restore_attributes(Context& context, const SavedAttributes& level) {
   const GLbitfield mask = level.mask;
   // The current colour goes first: tracked materials follow it.
-  if (mask & GL_CURRENT_BIT) context.current = level.current;
+  if (mask & GL_CURRENT_BIT) restore_current(context, level.current);
   if (mask & GL_LIGHTING_BIT) restore_lighting(context, level.lighting);
   if (mask & GL_ENABLE_BIT) restore_enables(context, level.enables);
   if (mask & GL_TRANSFORM_BIT) {

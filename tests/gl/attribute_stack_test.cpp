@@ -242,6 +242,63 @@ TEST_P(AttributeStack, DrawsWhatWasRecordedBeforeThePop) {
   EXPECT_EQ(pixel, (std::array<GLubyte, 4>{255, 0, 0, 255}));
 }
 
+/// Draws the whole window without texture coordinates, in the `way`-th of the ways that take the
+/// current ones.
+void draw_window(const GlFunctions& gl, int way) {
+  static constexpr GLfloat kCorners[] = {-1, -1, 3, -1, -1, 3};
+  static constexpr GLubyte kElements[] = {0, 1, 2};
+  const auto by_begin_end = [&gl] {
+    gl.Begin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) gl.Vertex2fv(kCorners + 2 * i);
+    gl.End();
+  };
+  if (way == 0) return by_begin_end();
+  if (way == 1) {
+    gl.NewList(1, GL_COMPILE);
+    by_begin_end();
+    gl.EndList();
+    return gl.CallList(1);
+  }
+  GLuint buffer = 0;
+  if (way == 4) {
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof kCorners, kCorners, GL_STATIC_DRAW);
+  }
+  gl.VertexPointer(2, GL_FLOAT, 0, buffer ? nullptr : kCorners);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  if (way == 3) gl.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, kElements);
+  else gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.DisableClientState(GL_VERTEX_ARRAY);
+  gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+  if (buffer) gl.DeleteBuffers(1, &buffer);
+}
+
+/// Vertices that were recorded in between have s and t alone, and wait.
+TEST_P(AttributeStack, BringsBackAllOfTextureCoordinates) {
+  std::array<GLubyte, 16> texels{};
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<GLubyte>(16 * i + 8);
+  for (const GLenum unit : {GLenum{GL_TEXTURE0}, GLenum{GL_TEXTURE3}})
+    for (int way = 0; way < 5; ++way) {
+      context->recreate();
+      gl.ActiveTexture(unit);
+      gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, 4, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                    texels.data());
+      gl.Enable(GL_TEXTURE_2D);
+      gl.MultiTexCoord4f(unit, 1.25F, 0.75F, 0, 2);  // the texel (2, 1)
+      gl.PushAttrib(GL_CURRENT_BIT);
+      gl.MultiTexCoord2f(unit, 0, 0);
+      draw_triangle(gl);
+      gl.PopAttrib();
+      draw_window(gl, way);
+      std::array<GLubyte, 4> pixel{};
+      gl.ReadPixels(8, 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+      EXPECT_EQ(pixel[0], 16 * 6 + 8) << "unit " << unit - GL_TEXTURE0 << ", way " << way;
+    }
+}
+
 }  // namespace
 
 }  // namespace legacy_gl::test
