@@ -50,11 +50,10 @@ void apply_polygon(const Driver& driver, const PolygonState& polygon) {
   set_enabled(driver, GL_CULL_FACE, polygon.cull_enabled);
   driver.CullFace(polygon.cull_face);
   driver.FrontFace(polygon.front_face);
+  // Drivers fill all polygons that reach them. Some heed the offsets of lines and points for these.
   set_enabled(driver, GL_POLYGON_OFFSET_FILL, polygon.offset_fill_enabled);
   driver.PolygonOffset(polygon.offset_factor, polygon.offset_units);
   if (driver.is_es()) return;
-  set_enabled(driver, GL_POLYGON_OFFSET_LINE, polygon.offset_line_enabled);
-  set_enabled(driver, GL_POLYGON_OFFSET_POINT, polygon.offset_point_enabled);
   set_enabled(driver, GL_POLYGON_SMOOTH, polygon.smooth_enabled);
 }
 

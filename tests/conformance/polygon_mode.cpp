@@ -125,6 +125,36 @@ Scene offset_scene(std::string name, GLenum mode, GLenum capability, float facto
           }};
 }
 
+// Rings before and behind a torus, with the offset of a mode that they are not drawn in.
+void draw_with_offset_of_others(const GlFunctions& gl, GLenum mode, GLenum capability,
+                                bool enabled) {
+  begin_lit_scene(gl);
+  gl.Rotatef(50, 1, 1, 0);
+  draw_torus(gl, 0.3F, 0.6F);
+  gl.Disable(GL_LIGHTING);
+  gl.PolygonMode(GL_FRONT_AND_BACK, mode);
+  gl.PointSize(3);
+  gl.PolygonOffset(-4, -100000);
+  if (enabled) gl.Enable(capability);
+  gl.Scalef(0.7F, 0.7F, 0.7F);  // all of it in the view (row D10)
+  for (GLenum primitive = GL_TRIANGLES; primitive <= GL_POLYGON; ++primitive) {
+    gl.Rotatef(30, 0, 1, 0.5F);
+    draw_ring(gl, primitive);
+  }
+}
+
+// Mesa moves what is filled by any of the three.
+Scene other_offset_scene(std::string name, GLenum mode, GLenum capability) {
+  Scene scene{std::move(name), [=](const GlFunctions& gl) {
+                draw_with_offset_of_others(gl, mode, capability, true);
+              }};
+  if (mode == GL_FILL)
+    scene.traits = {.mesa_departure = "M25", .reference = [=](const GlFunctions& gl) {
+                      draw_with_offset_of_others(gl, mode, capability, false);
+                    }};
+  return scene;
+}
+
 // Flat shading lights the provoking vertex where it is.
 void light_from_nearby(const GlFunctions& gl) {
   gl.ShadeModel(GL_FLAT);
@@ -255,6 +285,14 @@ std::vector<Scene> polygon_mode_scenes() {
                       gl.PointSize(4);
                       draw_half_tube(gl);
                     }});
+  scenes.push_back(
+      other_offset_scene("filled_with_offset_of_lines", GL_FILL, GL_POLYGON_OFFSET_LINE));
+  scenes.push_back(
+      other_offset_scene("filled_with_offset_of_points", GL_FILL, GL_POLYGON_OFFSET_POINT));
+  scenes.push_back(
+      other_offset_scene("lines_with_offset_of_filled", GL_LINE, GL_POLYGON_OFFSET_FILL));
+  scenes.push_back(
+      other_offset_scene("points_with_offset_of_filled", GL_POINT, GL_POLYGON_OFFSET_FILL));
   scenes.push_back({"filled_then_lines_with_offset", [](const GlFunctions& gl) {
                       begin_lit_scene(gl);
                       gl.Rotatef(30, 1, 1, 0);
