@@ -123,7 +123,7 @@ void* map_buffer(Context& c, GLenum target, GLenum access) {
     raise_error(c, GL_INVALID_ENUM);
     return nullptr;
   }
-  if (buffer->mapped) {
+  if (buffer->mapped || buffer->size == 0) {
     raise_error(c, GL_INVALID_OPERATION);
     return nullptr;
   }

@@ -96,7 +96,6 @@ bool BufferObjects::get_sub_data(BufferObject& buffer, GLintptr offset, GLsizeip
 }
 
 void* BufferObjects::map(BufferObject& buffer, GLenum access) {
-  if (buffer.size == 0) return nullptr;
   bind(buffer);
   buffer.mapped = driver_.MapBufferRange(kTarget, 0, buffer.size, map_bits(access));
   if (buffer.mapped) buffer.access = access;

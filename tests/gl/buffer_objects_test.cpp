@@ -122,6 +122,28 @@ std::string dialect_name(const testing::TestParamInfo<bool>& gles_too) {
 
 }  // namespace
 
+// As in Mesa, and as OpenGL ES 3.0 refuses a range of no bytes.
+TEST_P(BufferObjects, WithoutBytesAreNotMapped) {
+  for (RenderContext* const each : {&context(), static_cast<RenderContext*>(&mesa())}) {
+    each->recreate();
+    const GlFunctions& gl = each->gl;
+    for (const GLenum target : {GLenum{GL_ARRAY_BUFFER}, GLenum{GL_ELEMENT_ARRAY_BUFFER}})
+      for (const bool has_data : {false, true}) {
+        GLuint buffer = 0;
+        gl.GenBuffers(1, &buffer);
+        gl.BindBuffer(target, buffer);
+        if (has_data) gl.BufferData(target, 0, nullptr, GL_STATIC_DRAW);
+        for (const GLenum access :
+             {GLenum{GL_READ_ONLY}, GLenum{GL_WRITE_ONLY}, GLenum{GL_READ_WRITE}}) {
+          EXPECT_EQ(gl.MapBuffer(target, access), nullptr);
+          EXPECT_EQ(gl.GetError(), GLenum{GL_INVALID_OPERATION});
+        }
+        EXPECT_EQ(gl.UnmapBuffer(target), GL_FALSE);
+        EXPECT_EQ(gl.GetError(), GLenum{GL_INVALID_OPERATION});
+      }
+  }
+}
+
 TEST_P(BufferObjects, AreNamesUntilTheyAreBound) {
   const GlFunctions& gl = fresh();
   std::array<GLuint, 2> names{};
