@@ -17,7 +17,10 @@ float grid_coordinate(const EvaluatorModes& modes, unsigned grid, GLint i) {
 
 /// Quads, split as the reference splits them where that shows.
 GLenum strip_mode(const Context& context) {
-  const bool whole = context.lighting.shade_model == GL_FLAT || is_unfilled(context.raster.polygon);
+  const bool colored =
+      context.lighting.enabled || context.evaluators.modes.enabled[1] & 1u << kMapColor4;
+  const bool whole =
+      is_unfilled(context.raster.polygon) || (colored && context.lighting.shade_model == GL_FLAT);
   return whole ? GL_QUAD_STRIP : GL_TRIANGLE_STRIP;
 }
 

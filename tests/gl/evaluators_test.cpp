@@ -181,6 +181,27 @@ TEST_F(Evaluators, RendersLitSurface) {
       6);
 }
 
+// Texels show how its quads are split, and one colour leaves the choice to flat shading too.
+TEST_F(Evaluators, RendersTexturedSurfaceUnderFlatShading) {
+  compare(
+      [](const GlFunctions& gl) {
+        static constexpr GLfloat kCoordinates[] = {0, 0, 3, 1, 1, 4, 5, 5};
+        static constexpr GLubyte kTexels[] = {255, 40, 90, 160, 40, 220, 130, 70};
+        patch(gl);
+        gl.Map2f(GL_MAP2_TEXTURE_COORD_2, 0, 1, 4, 2, 0, 1, 2, 2, kCoordinates);
+        gl.Enable(GL_MAP2_TEXTURE_COORD_2);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, 4, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                      kTexels);
+        gl.Enable(GL_TEXTURE_2D);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.ShadeModel(GL_FLAT);
+        gl.EvalMesh2(GL_FILL, 0, 7, 0, 5);
+      },
+      6);
+}
+
 TEST_F(Evaluators, RendersGridsOfAList) {
   compare(
       [](const GlFunctions& gl) {
