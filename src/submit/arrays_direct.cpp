@@ -2,11 +2,16 @@
 // they are.
 #include "submit/arrays_direct.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "geometry/clip_test.hpp"
 #include "geometry/primitives.hpp"
 #include "record/current_normal.hpp"
 #include "record/pending.hpp"
 #include "shadergen/attributes.hpp"
 #include "submit/prepare.hpp"
+#include "translate/draw_inputs_parts.hpp"
 
 namespace legacy_gl {
 
@@ -82,6 +87,23 @@ std::optional<BufferAttributes> find_attributes(Context& context, const VertexLa
   return found;
 }
 
+/// Whether clipping cuts one of these quads.
+bool is_cut(const ArrayDraw& draw, ReadableArrays& arrays, const DrawInputs& inputs) {
+  if (draw.mode != GL_QUADS || draw.is_indexed()) return false;
+  const ArrayView& positions = arrays.views()[kVertexArray];
+  constexpr std::uint32_t kBlock = 256;
+  std::array<float, 4 * kBlock> block;
+  const ReadFunction read = find_reader(positions.type, false, positions.size, 4);
+  const EnabledClipPlanes planes(inputs);
+  for (std::uint32_t done = 0; done < draw.count; done += kBlock) {
+    const std::uint32_t count = std::min(kBlock, draw.count - done);
+    positions.read(read, draw.first + done, count, block.data(), 4, 4);
+    if (any_outside(inputs.transform.modelview_projection, planes, block.data(), count, 4, true))
+      return true;
+  }
+  return false;
+}
+
 void set_constant_attributes(const Context& context, const VertexLayout& layout) {
   const Driver& driver = context.driver->functions;
   for_each_source(layout, [&](const Source& source) {
@@ -143,13 +165,17 @@ void draw_arrays_direct(Context& context, const ArrayDraw& draw, DirectArrays ar
   const void* offset = draw.elements;
   if (!native) {
     ReadableArrays readable(context);
+    // As quads of Begin/End are, where a look at the positions does not cost a GPU's memory.
+    const bool splits =
+        submission.inputs.key.flat || (context.driver->functions.traits.rasterises_on_cpu &&
+                                       is_cut(draw, readable, submission.inputs));
     submission.elements.clear();
     if (draw.is_indexed()) read_elements(readable.elements(draw), submission.elements);
     const auto available =
         draw.is_indexed() ? static_cast<std::uint32_t>(submission.elements.size()) : draw.count;
     submission.indices.clear();
     append_indices({draw.mode, draw.first, available, draw.is_indexed()}, submission.elements, 0,
-                   submission.inputs.key.flat, submission.indices);
+                   splits, submission.indices);
     count = static_cast<GLsizei>(submission.indices.size());
     type = GL_UNSIGNED_INT;
     offset = write_indices(context, submission.indices.data(),
