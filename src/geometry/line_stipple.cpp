@@ -26,6 +26,7 @@ class Cutter {
   }
 
   void cut_all() {
+    if (!state_.lit) clamp_colors();
     batch_.uncut.swap(batch_.indices);
     batch_.indices.clear();
     const std::uint32_t* const restarts_end = batch_.restarts.data() + batch_.restarts.size();
@@ -41,6 +42,17 @@ class Cutter {
   }
 
  private:
+  /// Colours are clamped before lines are cut (GL 2.1 spec 2.14.6, 2.14.8).
+  void clamp_colors() {
+    const auto clamp = [this](unsigned offset, unsigned size) {
+      for (std::size_t at = offset; at < batch_.vertices.size(); at += at_.stride)
+        for (std::size_t i = at; i < at + size; ++i)
+          batch_.vertices[i] = std::clamp(batch_.vertices[i], 0.0f, 1.0f);
+    };
+    if (batch_.layout.fields & kFieldColor) clamp(at_.color, 4);
+    if (batch_.layout.fields & kFieldSecondaryColor) clamp(at_.secondary_color, 3);
+  }
+
   void cut(PrimitiveGroup& group, const std::uint32_t* restarts_end) {
     fragment_ = 0;
     const std::uint32_t end = group.first + group.count;

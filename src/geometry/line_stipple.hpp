@@ -17,6 +17,7 @@ struct LineStippleState {
   ViewportState viewport;
   std::span<const glm::vec4> clip_planes;  ///< in clip coordinates
   bool flat = false;                       ///< a line takes the colour of its second vertex
+  bool lit = false;                        ///< colours are materials, which nothing clamps
 };
 
 /// Cuts the lines of the batch, which has its own vertices: all groups of lines become GL_LINES.

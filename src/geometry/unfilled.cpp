@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "geometry/polygon_triangles.hpp"
 #include "geometry/window_coordinates.hpp"
@@ -19,6 +20,25 @@ struct Triangle {
   std::array<std::uint32_t, 3> vertex;  ///< of the batch
   unsigned edges;
 };
+
+/// Which side of its polygon each edge of a triangle is, AB, BC and CA, counted from the polygon's
+/// first vertex. Triangles are as for_each_triangle gives them. Polygons of many sides come in
+/// their order: CA, AB, BC.
+using Sides = std::array<unsigned, 3>;
+Sides sides_of(GLenum mode, bool first_triangle) {
+  constexpr unsigned kInner = 0;
+  switch (mode) {
+    case GL_QUADS: return first_triangle ? Sides{0, kInner, 3} : Sides{1, 2, kInner};
+    case GL_QUAD_STRIP: return first_triangle ? Sides{3, kInner, 2} : Sides{0, 1, kInner};
+    case GL_POLYGON: return {1, 2, 0};
+    default: return {0, 1, 2};
+  }
+}
+
+/// Of GL_POLYGON each triangle's sides follow those of the one before.
+bool ends_polygon(GLenum mode, bool first_triangle) {
+  return (mode != GL_QUADS && mode != GL_QUAD_STRIP) || !first_triangle;
+}
 
 double determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
@@ -70,9 +90,12 @@ class Expander {
     for_each_triangle(run.mode, run.count,
                       [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, unsigned edges) {
                         Triangle triangle{{vertex(a), vertex(b), vertex(c)}, edges};
-                        restarts_ = restarts_ || edges & kEdgeCA;  // its first triangle
+                        const bool first = edges & kEdgeCA;
+                        restarts_ = restarts_ || first;
+                        if (state_.line_stipple) sides_ = sides_of(run.mode, first);
                         if (flagged) drop_unflagged(triangle);
                         expand(triangle);
+                        if (state_.line_stipple && ends_polygon(run.mode, first)) add_held_lines();
                       });
   }
 
@@ -151,10 +174,9 @@ class Expander {
         for (unsigned i = 0; i < 3; ++i) add_index(index[i]);
         break;
       case GL_LINE:
-        open_group(GL_LINES, back_color);
-        if (triangle.edges & kEdgeCA) add_line(index[2], index[0]);
-        if (triangle.edges & kEdgeAB) add_line(index[0], index[1]);
-        if (triangle.edges & kEdgeBC) add_line(index[1], index[2]);
+        for (const unsigned i : {2u, 0u, 1u})
+          if (triangle.edges & 1u << i)
+            add_edge(i, {index[i], index[(i + 1) % 3], back_color, true});
         break;
       default:
         open_group(GL_POINTS, back_color);
@@ -205,10 +227,27 @@ class Expander {
     restarts_ = false;
   }
 
-  void add_line(std::uint32_t from, std::uint32_t to) {
+  struct Line {
+    std::uint32_t from, to;
+    bool back_color, drawn;
+  };
+
+  void add_line(const Line& line) {
+    open_group(GL_LINES, line.back_color);
     note_restart();
-    add_index(from);
-    add_index(to);
+    add_index(line.from);
+    add_index(line.to);
+  }
+
+  /// The pattern goes along the edges from the polygon's first vertex on (GL 2.1 spec 3.5.4).
+  void add_edge(unsigned edge, const Line& line) {
+    if (state_.line_stipple) held_[sides_[edge]] = line;
+    else add_line(line);
+  }
+
+  void add_held_lines() {
+    for (Line& line : held_)
+      if (std::exchange(line.drawn, false)) add_line(line);
   }
 
   const VertexBatch& batch_;
@@ -220,6 +259,8 @@ class Expander {
   std::array<bool, 2> culls_{}, offset_{};
   bool needs_facing_ = false;
   bool restarts_ = false;
+  Sides sides_{};               ///< of the triangle, for its edges
+  std::array<Line, 4> held_{};  ///< lines of a polygon whose pattern goes along its sides
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Polygons that glPolygonMode turns into lines or points (GL 2.1 spec 3.5.4).
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "execute/framebuffer.hpp"
 #include "geometry/line_stipple.hpp"
@@ -28,6 +30,27 @@ double depth_resolution(const Context& context) {
   const bool enabled = polygon.offset_line_enabled || polygon.offset_point_enabled;
   if (!enabled || polygon.offset_units == 0) return 0;
   return std::ldexp(1.0, -framebuffer_bits(context, FramebufferChannel::kDepth));
+}
+
+struct Vertices {
+  const float* data;
+  std::size_t bytes, stride;
+};
+
+/// Both at once, at multiples of their strides: what comes between two writes to a stream may take
+/// the place of the first.
+std::array<std::size_t, 2> write_both(StreamBuffer& stream, const Vertices& first,
+                                      const Vertices& second) {
+  if (second.bytes == 0) return {stream.write(first.data, first.bytes, first.stride), 0};
+  std::size_t at = 0;
+  auto* const to = static_cast<std::byte*>(
+      stream.map(first.bytes + second.stride + second.bytes, first.stride, at));
+  const std::size_t behind = (at + first.bytes + second.stride - 1) / second.stride * second.stride;
+  if (!to) return {at, behind};
+  std::memcpy(to, first.data, first.bytes);
+  std::memcpy(to + (behind - at), second.data, second.bytes);
+  stream.unmap();
+  return {at, behind};
 }
 
 }  // namespace
@@ -65,7 +88,8 @@ void stipple_lines_of(const Context& context) {
                  .modelview_projection = submission.inputs.transform.modelview_projection,
                  .viewport = context.raster.viewport,
                  .clip_planes = planes,
-                 .flat = submission.inputs.key.flat},
+                 .flat = submission.inputs.key.flat,
+                 .lit = submission.inputs.key.lit},
                 expanded);
 }
 
@@ -102,25 +126,20 @@ void draw_expanded(Context& context) {
                                                  : recorder.vertex_count() * stride;
   const float* const vertices = expanded.own_vertices ? expanded.vertices.data() : recorder.data();
   if (wide) widen_lines_of(context, layout, vertices);
-  const auto base_vertex =
-      static_cast<std::uint32_t>(objects.vertex_stream.write(vertices, size, stride) / stride);
+  const std::size_t wide_stride = offsets_of(widened_layout(layout)).stride * sizeof(float);
+  const std::size_t wide_bytes = wide ? submission.wide_vertices.size() * sizeof(float) : 0;
+  const auto [offset, wide_offset] =
+      write_both(objects.vertex_stream, {vertices, size, stride},
+                 {submission.wide_vertices.data(), wide_bytes, wide_stride});
+  const auto base_vertex = static_cast<std::uint32_t>(offset / stride);
   for (std::uint32_t& index : expanded.indices) index += base_vertex;
   const std::size_t index_bytes = expanded.indices.size() * sizeof(std::uint32_t);
   const std::size_t indices =
       objects.index_stream.write(expanded.indices.data(), index_bytes, sizeof(std::uint32_t));
-  context.statistics.vertex_bytes_uploaded += size;
+  context.statistics.vertex_bytes_uploaded += size + wide_bytes;
   context.statistics.vertices += recorder.vertex_count();
   context.statistics.index_bytes_uploaded += index_bytes;
 
-  std::size_t wide_vertices = 0, wide_stride = 0;
-  if (wide && !submission.wide_vertices.empty()) {
-    wide_stride = offsets_of(widened_layout(layout)).stride;
-    const std::size_t bytes = submission.wide_vertices.size() * sizeof(float);
-    wide_vertices = objects.vertex_stream.write(submission.wide_vertices.data(), bytes,
-                                                wide_stride * sizeof(float)) /
-                    (wide_stride * sizeof(float));
-    context.statistics.vertex_bytes_uploaded += bytes;
-  }
   for (std::size_t g = 0; g < expanded.groups.size(); ++g) {
     const PrimitiveGroup& group = expanded.groups[g];
     if (!group.count) continue;
@@ -139,8 +158,9 @@ void draw_expanded(Context& context) {
       if (begin == end || !use_program(context, variant, recorder.vertex_count())) continue;
       context.driver->bind_vertex_array(objects.vertex_arrays.find_or_build(
           widened_layout(layout), objects.vertex_stream.name(), objects.index_stream.name()));
-      driver.DrawArrays(GL_LINES, static_cast<GLint>(wide_vertices + begin / wide_stride),
-                        static_cast<GLsizei>((end - begin) / wide_stride));
+      driver.DrawArrays(GL_LINES,
+                        static_cast<GLint>((wide_offset + begin * sizeof(float)) / wide_stride),
+                        static_cast<GLsizei>((end - begin) * sizeof(float) / wide_stride));
       ++context.statistics.draws;
       continue;
     }

@@ -1,5 +1,6 @@
 // GL 2.1 spec 3.4.2: the pattern goes along a line, in pixels of its major direction, anew for each
 // segment of GL_LINES, and on along strips, loops and the edges of a polygon.
+#include <initializer_list>
 #include <string>
 
 #include "conformance/feature_scenes.hpp"
@@ -50,6 +51,71 @@ Scene mode_scene(std::string name, GLenum mode, int count, bool flat) {
           {.few_colors = flat}};
 }
 
+void corner(const GlFunctions& gl, GLenum mode, int i) {
+  const float f = static_cast<float>(i), angle = 0.7854F * f + 0.1F;
+  const bool strip = mode == GL_TRIANGLE_STRIP || mode == GL_QUAD_STRIP;
+  const float x = strip ? -0.9F + 0.25F * f : 0.9F * std::cos(angle);
+  const float y = strip ? (i % 2 == 0 ? -0.7F : 0.7F) : 0.85F * std::sin(angle);
+  color_by_position(gl, x, y, 0.1F * f);
+  gl.Vertex2f(x, y);
+}
+
+void draw_loop(const GlFunctions& gl, GLenum mode, std::initializer_list<int> corners) {
+  gl.Begin(GL_LINE_LOOP);
+  for (const int i : corners) corner(gl, mode, i);
+  gl.End();
+}
+
+// The polygons that a primitive of 8 vertices has, from the first vertex of each on (GL 2.1 spec
+// 2.6.1).
+void draw_loops(const GlFunctions& gl, GLenum mode) {
+  for (int i = 0; i < 8; ++i) {
+    const bool has_triangle = i + 2 < 8, has_quad = i + 3 < 8;
+    if (mode == GL_TRIANGLES && i % 3 == 0 && has_triangle) draw_loop(gl, mode, {i, i + 1, i + 2});
+    if (mode == GL_TRIANGLE_STRIP && has_triangle)
+      draw_loop(gl, mode, {i + i % 2, i + 1 - i % 2, i + 2});
+    if (mode == GL_TRIANGLE_FAN && i > 0 && i + 1 < 8) draw_loop(gl, mode, {0, i, i + 1});
+    if (mode == GL_QUADS && i % 4 == 0) draw_loop(gl, mode, {i, i + 1, i + 2, i + 3});
+    if (mode == GL_QUAD_STRIP && i % 2 == 0 && has_quad)
+      draw_loop(gl, mode, {i, i + 1, i + 3, i + 2});
+  }
+}
+
+// Mesa begins the pattern of a triangle or a quad with its last edge.
+Scene outline_scene(std::string name, GLenum mode) {
+  const auto begin = [](const GlFunctions& gl) {
+    begin_flat_scene(gl);
+    stipple(gl, 2, 0x3f29);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  };
+  return {std::move(name),
+          [=](const GlFunctions& gl) {
+            begin(gl);
+            gl.Begin(mode);
+            for (int i = 0; i < 8; ++i) corner(gl, mode, i);
+            gl.End();
+          },
+          {.mesa_departure = "M26", .reference = [=](const GlFunctions& gl) {
+             begin(gl);
+             draw_loops(gl, mode);
+           }}};
+}
+
+// glRect is GL_POLYGON (GL 2.1 spec 2.10); Mesa draws GL_QUADS.
+void draw_rectangle(const GlFunctions& gl, bool by_rect) {
+  begin_flat_scene(gl);
+  stipple(gl, 2, 0x0f37);
+  gl.Color3f(1, 0.5F, 0.2F);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  if (by_rect) return gl.Rectf(-0.7F, -0.6F, 0.8F, 0.75F);
+  gl.Begin(GL_POLYGON);
+  gl.Vertex2f(-0.7F, -0.6F);
+  gl.Vertex2f(0.8F, -0.6F);
+  gl.Vertex2f(0.8F, 0.75F);
+  gl.Vertex2f(-0.7F, 0.75F);
+  gl.End();
+}
+
 // Mesa makes separate lines of a list's strips where others come before.
 void draw_strip_of_list(const GlFunctions& gl, bool in_list) {
   begin_flat_scene(gl);
@@ -60,6 +126,31 @@ void draw_strip_of_list(const GlFunctions& gl, bool in_list) {
   if (!in_list) return;
   gl.EndList();
   gl.CallList(1);
+}
+
+// Colours that are clamped before they are interpolated, on lines, strips and outlines.
+Scene bright_scene(std::string name, float scale, GLenum shade_model, Draw set = {}) {
+  return {std::move(name), [=](const GlFunctions& gl) {
+            begin_flat_scene(gl);
+            stipple(gl, 1, 0xeeee);
+            gl.ShadeModel(shade_model);
+            gl.Enable(GL_COLOR_SUM);
+            gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+            gl.Scalef(scale, scale, 1);
+            if (set) set(gl);
+            for (const GLenum mode : {GLenum{GL_LINES}, GLenum{GL_LINE_STRIP}, GLenum{GL_LINE_LOOP},
+                                      GLenum{GL_POLYGON}}) {
+              gl.Begin(mode);
+              for (int i = 0; i < 8; ++i) {
+                const float part = static_cast<float>(i) / 8, a = 6.2831853F * part;
+                gl.Color4f(3 * std::cos(a), 1 - 2 * part, i % 2 ? 1.0F : -1.0F, 1);
+                gl.SecondaryColor3f(i % 3 ? -2.0F : 0.5F, 0.25F - part, 0);
+                gl.Vertex2f(0.95F * std::cos(a), 0.95F * std::sin(a));
+              }
+              gl.End();
+              gl.Scalef(0.86F, 0.86F, 1);
+            }
+          }};
 }
 
 }  // namespace
@@ -82,14 +173,19 @@ std::vector<Scene> line_stipple_scenes() {
                    gl.ClipPlane(GL_CLIP_PLANE0, plane.data());
                    gl.Enable(GL_CLIP_PLANE0);
                  }),
+      bright_scene("colors_beyond_one", 1, GL_SMOOTH),
+      bright_scene("colors_beyond_one_cut", 1.6F, GL_SMOOTH),
+      bright_scene("colors_beyond_one_flat", 1, GL_FLAT),
+      bright_scene("colors_beyond_one_wide", 1, GL_SMOOTH,
+                   [](const GlFunctions& gl) { gl.LineWidth(3); }),
       mode_scene("strip", GL_LINE_STRIP, 8, false),
       mode_scene("strip_flat", GL_LINE_STRIP, 8, true),
       mode_scene("loop", GL_LINE_LOOP, 7, false),
-      mode_scene("triangles", GL_TRIANGLES, 6, false),
-      mode_scene("triangle_strip", GL_TRIANGLE_STRIP, 8, false),
-      mode_scene("triangle_fan", GL_TRIANGLE_FAN, 7, false),
-      mode_scene("quads", GL_QUADS, 8, false),
-      mode_scene("quad_strip", GL_QUAD_STRIP, 8, false),
+      outline_scene("triangles", GL_TRIANGLES),
+      outline_scene("triangle_strip", GL_TRIANGLE_STRIP),
+      outline_scene("triangle_fan", GL_TRIANGLE_FAN),
+      outline_scene("quads", GL_QUADS),
+      outline_scene("quad_strip", GL_QUAD_STRIP),
       mode_scene("polygon", GL_POLYGON, 7, false),
       mode_scene("polygon_flat", GL_POLYGON, 7, true),
   };
@@ -153,14 +249,24 @@ std::vector<Scene> line_stipple_scenes() {
                       }
                       gl.End();
                     }});
-  scenes.push_back({"solids_as_lines",
+  scenes.push_back({"rectangle",
+                    [](const GlFunctions& gl) { draw_rectangle(gl, true); },
+                    {.mesa_departure = "M26",
+                     .reference = [](const GlFunctions& gl) { draw_rectangle(gl, false); },
+                     .few_colors = true}});
+  scenes.push_back({"turned_polygons",
                     [](const GlFunctions& gl) {
                       begin_scene(gl);
                       stipple(gl, 1, 0x3333);
                       gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-                      gl.Color3f(0.2F, 0.8F, 1);
-                      gl.Rotatef(30, 1, 1, 0);
-                      draw_cube(gl, 0.6F);
+                      gl.Color3f(0.2F, 0.8F, 1);  // one: row M29
+                      for (int i = 0; i < 5; ++i) {
+                        gl.Rotatef(33, 1, 1, 0);
+                        gl.Begin(GL_POLYGON);
+                        for (const float angle : {0.1F, 1.0F, 2.2F, 3.5F, 4.1F, 5.2F})
+                          gl.Vertex2f(0.9F * std::cos(angle), 0.85F * std::sin(angle));
+                        gl.End();
+                      }
                     },
                     {.few_colors = true}});
   scenes.push_back({"polygons_and_points_stay", [](const GlFunctions& gl) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "support/contexts.hpp"
@@ -32,7 +33,11 @@ void refuse_wide_lines(GLfloat width) {
   driver<LineWidth>("glLineWidth")(std::fmin(width, 1.0F));
 }
 
+/// The driver is never done with what it reads: streams take new memory.
+GLenum wait_in_vain(void*, GLbitfield, std::uint64_t) { return 0x911B; }  // GL_TIMEOUT_EXPIRED
+
 legacy_gl_proc forward_compatible(const char* name) {
+  if (!std::strcmp(name, "glClientWaitSync")) return reinterpret_cast<legacy_gl_proc>(wait_in_vain);
   if (!std::strcmp(name, "glGetIntegerv"))
     return reinterpret_cast<legacy_gl_proc>(tell_forward_compatible);
   if (!std::strcmp(name, "glLineWidth")) return reinterpret_cast<legacy_gl_proc>(refuse_wide_lines);
@@ -207,6 +212,27 @@ TEST_F(WideLines, InPerspectiveAcrossTheNearPlane) {
       // Where a line leaves the view its ends are a corner: Mesa clips it first, and the driver
       // here each of the thin lines.
       8);
+}
+
+// More than the stream of vertices holds; each batch has lines to widen and vertices as they are.
+TEST_F(WideLines, BesidePolygonsInManyBatches) {
+  compare([](const GlFunctions& gl) {
+    gl.LineWidth(9);
+    gl.PolygonMode(GL_BACK, GL_LINE);
+    for (int i = 0; i < 40; ++i) {
+      const float x = 0.04F * static_cast<float>(i) - 0.9F;
+      gl.Color3f(1, 0.02F * static_cast<float>(i), 0.5F);
+      gl.Rectf(x, -0.9F, x + 0.04F, 0.3F);
+      gl.Begin(GL_LINES);
+      for (int line = 0; line < 3000; ++line) {
+        gl.Vertex2f(x, 0.7F);
+        gl.Vertex2f(x + 0.04F, 0.7F);
+      }
+      gl.End();
+      gl.Flush();
+    }
+    gl.PolygonMode(GL_BACK, GL_FILL);
+  });
 }
 
 }  // namespace legacy_gl::test
