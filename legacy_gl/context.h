@@ -106,7 +106,9 @@ typedef struct legacy_gl_options {
   int scalars_for_vectors; /**< 1: glMaterialf and its like, called with a name of several values,
                               set the first and the others to 0, as Mesa does and the drop-in
                               lets its programs; 0: GL_INVALID_ENUM, as the specification says */
-  int reserved;            /**< 0 */
+  int debug_labels;        /**< 1: KHR_debug labels and groups where the driver has them, for
+                              RenderDoc and apitrace: docs/debugging.md; 0: where LEGACY_GL_DEBUG
+                              has "labels", or the driver's context is a debug context */
   /** What is to be believed of the driver against what is found, e.g. "-rasterises_on_cpu" or
    * "generic": docs/driver_traits.md lists the names, a minus turns one off. The environment
    * variable LEGACY_GL_DRIVER_TRAITS wins. NULL: what is found. The text is read at once. */

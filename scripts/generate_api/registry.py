@@ -10,6 +10,8 @@ VERSIONS = ["1.0", "1.1", "1.2", "1.3", "1.4", "1.5"]
 class Parameter:
     type: str  # "const GLfloat *"
     name: str
+    group: str = ""  # of enums
+    length: str = ""  # of what a pointer points to: "4", "n", "COMPSIZE(pname)"
 
 
 @dataclass
@@ -27,6 +29,7 @@ class Command:
 class Api:
     commands: dict = field(default_factory=dict)  # name -> Command, in the registry's order
     enums: dict = field(default_factory=dict)  # version -> [(name, value)]
+    enum_groups: dict = field(default_factory=dict)  # group -> [(name, value)], of every version and extension
 
 
 def _type_of(element):
@@ -48,6 +51,10 @@ def read(path):
         commands[proto.find("name").text] = command
 
     api = Api()
+    for enum in root.iter("enum"):
+        if "value" in enum.attrib and enum.get("api", "gl") == "gl":
+            for group in filter(None, enum.get("group", "").split(",")):
+                api.enum_groups.setdefault(group, []).append((enum.get("name"), enum.get("value")))
     seen = set()
     for feature in root.iter("feature"):
         version = feature.get("number")
@@ -62,6 +69,7 @@ def read(path):
             for reference in require.iter("command"):
                 name = reference.get("name")
                 command = commands[name]
-                parameters = [Parameter(_type_of(p), p.find("name").text) for p in command.findall("param")]
+                parameters = [Parameter(_type_of(p), p.find("name").text, p.get("group", ""), p.get("len", ""))
+                              for p in command.findall("param")]
                 api.commands[name[2:]] = Command(name[2:], version, _type_of(command.find("proto")), parameters)
     return api

@@ -8,5 +8,6 @@ using namespace legacy_gl;
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglBegin(GLenum mode) { dispatch<execute::begin>(mode); }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnd(void) {
   dispatch<execute::end>();
-  if (!direct_context && current_context) current_context->lists.weld();
+  if (!direct_context && current_context && current_context->list_modes.compiling)
+    current_context->lists.weld();
 }

@@ -9,7 +9,9 @@
 
 #include "api/sized_structs.hpp"
 #include "api/whole_context.hpp"
+#include "debug/log.hpp"
 #include "dlist/dispatch.hpp"
+#include "driver/debug_labels.hpp"
 #include "driver/driver_objects.hpp"
 #include "execute/framebuffer.hpp"
 #include "submit/prepare.hpp"
@@ -63,6 +65,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   if (options.programs < LEGACY_GL_PROGRAMS_DEFAULT ||
       options.programs > LEGACY_GL_PROGRAMS_GENERAL)
     return fail(LEGACY_GL_INVALID_ARGUMENT, "programs is not one of legacy_gl_programs");
+  debug::read_environment();
   Driver driver;
   std::string detail;
   switch (load_driver(driver, loader, detail)) {
@@ -71,6 +74,7 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
     case DriverStatus::kTooOld: return fail(LEGACY_GL_DRIVER_TOO_OLD, detail);
     case DriverStatus::kMissingFunction: return fail(LEGACY_GL_MISSING_FUNCTION, detail);
   }
+  load_debug_labels(driver, loader, options.debug_labels != 0);
   auto whole = std::make_unique<WholeContext>(options);
   choose_paths(*whole);
   driver.traits = chosen_traits(*whole, driver, options.driver_traits);

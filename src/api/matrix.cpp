@@ -40,7 +40,7 @@ void change_top(Context& c, Change change) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   before_change(c);
   change(current_stack(c).top());
-  c.dirty |= current_dirty_bit(c);
+  mark_dirty(c, current_dirty_bit(c));
 }
 
 void matrix_mode(Context& c, GLenum mode) {
@@ -55,7 +55,7 @@ void apply(Context& c, const MatrixOperation& operation) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   before_change(c);
   current_stack(c).apply(operation);
-  c.dirty |= current_dirty_bit(c);
+  mark_dirty(c, current_dirty_bit(c));
 }
 
 void load_identity(Context& c) {
@@ -112,7 +112,7 @@ void pop_matrix(Context& c) {
   if (!stack.can_pop()) return raise_error(c, GL_STACK_UNDERFLOW);
   before_change(c);
   stack.pop();
-  c.dirty |= current_dirty_bit(c);
+  mark_dirty(c, current_dirty_bit(c));
 }
 
 }  // namespace

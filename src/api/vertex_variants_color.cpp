@@ -2,293 +2,656 @@
 // clang-format off
 #include "api/attributes.hpp"
 #include "record/normalise.hpp"
+#include "debug/call_log.hpp"
 
 using namespace legacy_gl;
+using namespace legacy_gl::debug;
+using Kind [[maybe_unused]] = Argument::Kind;
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3b(GLbyte a, GLbyte b, GLbyte c) {
+  log_call("glNormal3b", {number(a), number(b), number(c)});
+  normal3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3b(GLbyte a, GLbyte b, GLbyte c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3b(a, b, c);
   normal3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3bv(const GLbyte* v) {
+  log_call("glNormal3bv", {array(Kind::kBytes, v, 3)});
+  normal3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3bv(const GLbyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3bv(v);
   normal3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3s(GLshort a, GLshort b, GLshort c) {
+  log_call("glNormal3s", {number(a), number(b), number(c)});
+  normal3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3s(GLshort a, GLshort b, GLshort c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3s(a, b, c);
   normal3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3sv(const GLshort* v) {
+  log_call("glNormal3sv", {array(Kind::kShorts, v, 3)});
+  normal3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3sv(const GLshort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3sv(v);
   normal3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3i(GLint a, GLint b, GLint c) {
+  log_call("glNormal3i", {number(a), number(b), number(c)});
+  normal3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3i(GLint a, GLint b, GLint c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3i(a, b, c);
   normal3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3iv(const GLint* v) {
+  log_call("glNormal3iv", {array(Kind::kInts, v, 3)});
+  normal3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3iv(const GLint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3iv(v);
   normal3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3f(GLfloat a, GLfloat b, GLfloat c) {
+  log_call("glNormal3f", {number(a), number(b), number(c)});
+  normal3(a, b, c);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3f(GLfloat a, GLfloat b, GLfloat c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3f(a, b, c);
   normal3(a, b, c);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3fv(const GLfloat* v) {
+  log_call("glNormal3fv", {array(Kind::kFloats, v, 3)});
+  normal3(v[0], v[1], v[2]);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3fv(const GLfloat* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3fv(v);
   normal3(v[0], v[1], v[2]);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3d(GLdouble a, GLdouble b, GLdouble c) {
+  log_call("glNormal3d", {number(a), number(b), number(c)});
+  normal3(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3d(GLdouble a, GLdouble b, GLdouble c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3d(a, b, c);
   normal3(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Normal3dv(const GLdouble* v) {
+  log_call("glNormal3dv", {array(Kind::kDoubles, v, 3)});
+  normal3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglNormal3dv(const GLdouble* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Normal3dv(v);
   normal3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3b(GLbyte a, GLbyte b, GLbyte c) {
+  log_call("glColor3b", {number(a), number(b), number(c)});
+  color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3b(GLbyte a, GLbyte b, GLbyte c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3b(a, b, c);
   color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3bv(const GLbyte* v) {
+  log_call("glColor3bv", {array(Kind::kBytes, v, 3)});
+  color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3bv(const GLbyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3bv(v);
   color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3s(GLshort a, GLshort b, GLshort c) {
+  log_call("glColor3s", {number(a), number(b), number(c)});
+  color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3s(GLshort a, GLshort b, GLshort c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3s(a, b, c);
   color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3sv(const GLshort* v) {
+  log_call("glColor3sv", {array(Kind::kShorts, v, 3)});
+  color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3sv(const GLshort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3sv(v);
   color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3i(GLint a, GLint b, GLint c) {
+  log_call("glColor3i", {number(a), number(b), number(c)});
+  color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3i(GLint a, GLint b, GLint c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3i(a, b, c);
   color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3iv(const GLint* v) {
+  log_call("glColor3iv", {array(Kind::kInts, v, 3)});
+  color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3iv(const GLint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3iv(v);
   color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3f(GLfloat a, GLfloat b, GLfloat c) {
+  log_call("glColor3f", {number(a), number(b), number(c)});
+  color3(a, b, c);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3f(GLfloat a, GLfloat b, GLfloat c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3f(a, b, c);
   color3(a, b, c);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3fv(const GLfloat* v) {
+  log_call("glColor3fv", {array(Kind::kFloats, v, 3)});
+  color3(v[0], v[1], v[2]);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3fv(const GLfloat* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3fv(v);
   color3(v[0], v[1], v[2]);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3d(GLdouble a, GLdouble b, GLdouble c) {
+  log_call("glColor3d", {number(a), number(b), number(c)});
+  color3(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3d(GLdouble a, GLdouble b, GLdouble c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3d(a, b, c);
   color3(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3dv(const GLdouble* v) {
+  log_call("glColor3dv", {array(Kind::kDoubles, v, 3)});
+  color3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3dv(const GLdouble* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3dv(v);
   color3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3ub(GLubyte a, GLubyte b, GLubyte c) {
+  log_call("glColor3ub", {number(a), number(b), number(c)});
+  color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3ub(GLubyte a, GLubyte b, GLubyte c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3ub(a, b, c);
   color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3ubv(const GLubyte* v) {
+  log_call("glColor3ubv", {array(Kind::kUnsignedBytes, v, 3)});
+  color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3ubv(const GLubyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3ubv(v);
   color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3us(GLushort a, GLushort b, GLushort c) {
+  log_call("glColor3us", {number(a), number(b), number(c)});
+  color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3us(GLushort a, GLushort b, GLushort c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3us(a, b, c);
   color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3usv(const GLushort* v) {
+  log_call("glColor3usv", {array(Kind::kUnsignedShorts, v, 3)});
+  color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3usv(const GLushort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3usv(v);
   color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3ui(GLuint a, GLuint b, GLuint c) {
+  log_call("glColor3ui", {number(a), number(b), number(c)});
+  color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3ui(GLuint a, GLuint b, GLuint c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3ui(a, b, c);
   color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color3uiv(const GLuint* v) {
+  log_call("glColor3uiv", {array(Kind::kUnsignedInts, v, 3)});
+  color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor3uiv(const GLuint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color3uiv(v);
   color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4b(GLbyte a, GLbyte b, GLbyte c, GLbyte d) {
+  log_call("glColor4b", {number(a), number(b), number(c), number(d)});
+  color4(normalised(a), normalised(b), normalised(c), normalised(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4b(GLbyte a, GLbyte b, GLbyte c, GLbyte d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4b(a, b, c, d);
   color4(normalised(a), normalised(b), normalised(c), normalised(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4bv(const GLbyte* v) {
+  log_call("glColor4bv", {array(Kind::kBytes, v, 4)});
+  color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4bv(const GLbyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4bv(v);
   color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4s(GLshort a, GLshort b, GLshort c, GLshort d) {
+  log_call("glColor4s", {number(a), number(b), number(c), number(d)});
+  color4(normalised(a), normalised(b), normalised(c), normalised(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4s(GLshort a, GLshort b, GLshort c, GLshort d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4s(a, b, c, d);
   color4(normalised(a), normalised(b), normalised(c), normalised(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4sv(const GLshort* v) {
+  log_call("glColor4sv", {array(Kind::kShorts, v, 4)});
+  color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4sv(const GLshort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4sv(v);
   color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4i(GLint a, GLint b, GLint c, GLint d) {
+  log_call("glColor4i", {number(a), number(b), number(c), number(d)});
+  color4(normalised(a), normalised(b), normalised(c), normalised(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4i(GLint a, GLint b, GLint c, GLint d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4i(a, b, c, d);
   color4(normalised(a), normalised(b), normalised(c), normalised(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4iv(const GLint* v) {
+  log_call("glColor4iv", {array(Kind::kInts, v, 4)});
+  color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4iv(const GLint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4iv(v);
   color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4f(GLfloat a, GLfloat b, GLfloat c, GLfloat d) {
+  log_call("glColor4f", {number(a), number(b), number(c), number(d)});
+  color4(a, b, c, d);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4f(GLfloat a, GLfloat b, GLfloat c, GLfloat d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4f(a, b, c, d);
   color4(a, b, c, d);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4fv(const GLfloat* v) {
+  log_call("glColor4fv", {array(Kind::kFloats, v, 4)});
+  color4(v[0], v[1], v[2], v[3]);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4fv(const GLfloat* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4fv(v);
   color4(v[0], v[1], v[2], v[3]);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4d(GLdouble a, GLdouble b, GLdouble c, GLdouble d) {
+  log_call("glColor4d", {number(a), number(b), number(c), number(d)});
+  color4(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4d(GLdouble a, GLdouble b, GLdouble c, GLdouble d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4d(a, b, c, d);
   color4(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4dv(const GLdouble* v) {
+  log_call("glColor4dv", {array(Kind::kDoubles, v, 4)});
+  color4(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4dv(const GLdouble* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4dv(v);
   color4(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4ub(GLubyte a, GLubyte b, GLubyte c, GLubyte d) {
+  log_call("glColor4ub", {number(a), number(b), number(c), number(d)});
+  color4(normalised(a), normalised(b), normalised(c), normalised(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4ub(GLubyte a, GLubyte b, GLubyte c, GLubyte d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4ub(a, b, c, d);
   color4(normalised(a), normalised(b), normalised(c), normalised(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4ubv(const GLubyte* v) {
+  log_call("glColor4ubv", {array(Kind::kUnsignedBytes, v, 4)});
+  color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4ubv(const GLubyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4ubv(v);
   color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4us(GLushort a, GLushort b, GLushort c, GLushort d) {
+  log_call("glColor4us", {number(a), number(b), number(c), number(d)});
+  color4(normalised(a), normalised(b), normalised(c), normalised(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4us(GLushort a, GLushort b, GLushort c, GLushort d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4us(a, b, c, d);
   color4(normalised(a), normalised(b), normalised(c), normalised(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4usv(const GLushort* v) {
+  log_call("glColor4usv", {array(Kind::kUnsignedShorts, v, 4)});
+  color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4usv(const GLushort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4usv(v);
   color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4ui(GLuint a, GLuint b, GLuint c, GLuint d) {
+  log_call("glColor4ui", {number(a), number(b), number(c), number(d)});
+  color4(normalised(a), normalised(b), normalised(c), normalised(d));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4ui(GLuint a, GLuint b, GLuint c, GLuint d) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4ui(a, b, c, d);
   color4(normalised(a), normalised(b), normalised(c), normalised(d));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Color4uiv(const GLuint* v) {
+  log_call("glColor4uiv", {array(Kind::kUnsignedInts, v, 4)});
+  color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglColor4uiv(const GLuint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Color4uiv(v);
   color4(normalised(v[0]), normalised(v[1]), normalised(v[2]), normalised(v[3]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3b(GLbyte a, GLbyte b, GLbyte c) {
+  log_call("glSecondaryColor3b", {number(a), number(b), number(c)});
+  secondary_color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3b(GLbyte a, GLbyte b, GLbyte c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3b(a, b, c);
   secondary_color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3bv(const GLbyte* v) {
+  log_call("glSecondaryColor3bv", {array(Kind::kBytes, v, 3)});
+  secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3bv(const GLbyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3bv(v);
   secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3s(GLshort a, GLshort b, GLshort c) {
+  log_call("glSecondaryColor3s", {number(a), number(b), number(c)});
+  secondary_color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3s(GLshort a, GLshort b, GLshort c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3s(a, b, c);
   secondary_color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3sv(const GLshort* v) {
+  log_call("glSecondaryColor3sv", {array(Kind::kShorts, v, 3)});
+  secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3sv(const GLshort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3sv(v);
   secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3i(GLint a, GLint b, GLint c) {
+  log_call("glSecondaryColor3i", {number(a), number(b), number(c)});
+  secondary_color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3i(GLint a, GLint b, GLint c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3i(a, b, c);
   secondary_color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3iv(const GLint* v) {
+  log_call("glSecondaryColor3iv", {array(Kind::kInts, v, 3)});
+  secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3iv(const GLint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3iv(v);
   secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3f(GLfloat a, GLfloat b, GLfloat c) {
+  log_call("glSecondaryColor3f", {number(a), number(b), number(c)});
+  secondary_color3(a, b, c);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3f(GLfloat a, GLfloat b, GLfloat c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3f(a, b, c);
   secondary_color3(a, b, c);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3fv(const GLfloat* v) {
+  log_call("glSecondaryColor3fv", {array(Kind::kFloats, v, 3)});
+  secondary_color3(v[0], v[1], v[2]);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3fv(const GLfloat* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3fv(v);
   secondary_color3(v[0], v[1], v[2]);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3d(GLdouble a, GLdouble b, GLdouble c) {
+  log_call("glSecondaryColor3d", {number(a), number(b), number(c)});
+  secondary_color3(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3d(GLdouble a, GLdouble b, GLdouble c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3d(a, b, c);
   secondary_color3(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3dv(const GLdouble* v) {
+  log_call("glSecondaryColor3dv", {array(Kind::kDoubles, v, 3)});
+  secondary_color3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3dv(const GLdouble* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3dv(v);
   secondary_color3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3ub(GLubyte a, GLubyte b, GLubyte c) {
+  log_call("glSecondaryColor3ub", {number(a), number(b), number(c)});
+  secondary_color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3ub(GLubyte a, GLubyte b, GLubyte c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3ub(a, b, c);
   secondary_color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3ubv(const GLubyte* v) {
+  log_call("glSecondaryColor3ubv", {array(Kind::kUnsignedBytes, v, 3)});
+  secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3ubv(const GLubyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3ubv(v);
   secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3us(GLushort a, GLushort b, GLushort c) {
+  log_call("glSecondaryColor3us", {number(a), number(b), number(c)});
+  secondary_color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3us(GLushort a, GLushort b, GLushort c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3us(a, b, c);
   secondary_color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3usv(const GLushort* v) {
+  log_call("glSecondaryColor3usv", {array(Kind::kUnsignedShorts, v, 3)});
+  secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3usv(const GLushort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3usv(v);
   secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3ui(GLuint a, GLuint b, GLuint c) {
+  log_call("glSecondaryColor3ui", {number(a), number(b), number(c)});
+  secondary_color3(normalised(a), normalised(b), normalised(c));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3ui(GLuint a, GLuint b, GLuint c) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3ui(a, b, c);
   secondary_color3(normalised(a), normalised(b), normalised(c));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_SecondaryColor3uiv(const GLuint* v) {
+  log_call("glSecondaryColor3uiv", {array(Kind::kUnsignedInts, v, 3)});
+  secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglSecondaryColor3uiv(const GLuint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_SecondaryColor3uiv(v);
   secondary_color3(normalised(v[0]), normalised(v[1]), normalised(v[2]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_FogCoordf(GLfloat a) {
+  log_call("glFogCoordf", {number(a)});
+  fog_coord(a);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoordf(GLfloat a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_FogCoordf(a);
   fog_coord(a);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_FogCoordfv(const GLfloat* v) {
+  log_call("glFogCoordfv", {array(Kind::kFloats, v, 1)});
+  fog_coord(v[0]);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoordfv(const GLfloat* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_FogCoordfv(v);
   fog_coord(v[0]);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_FogCoordd(GLdouble a) {
+  log_call("glFogCoordd", {number(a)});
+  fog_coord(static_cast<float>(a));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoordd(GLdouble a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_FogCoordd(a);
   fog_coord(static_cast<float>(a));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_FogCoorddv(const GLdouble* v) {
+  log_call("glFogCoorddv", {array(Kind::kDoubles, v, 1)});
+  fog_coord(static_cast<float>(v[0]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglFogCoorddv(const GLdouble* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_FogCoorddv(v);
   fog_coord(static_cast<float>(v[0]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexs(GLshort a) {
+  log_call("glIndexs", {number(a)});
+  index(static_cast<float>(a));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexs(GLshort a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexs(a);
   index(static_cast<float>(a));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexsv(const GLshort* v) {
+  log_call("glIndexsv", {array(Kind::kShorts, v, 1)});
+  index(static_cast<float>(v[0]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexsv(const GLshort* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexsv(v);
   index(static_cast<float>(v[0]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexi(GLint a) {
+  log_call("glIndexi", {number(a)});
+  index(static_cast<float>(a));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexi(GLint a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexi(a);
   index(static_cast<float>(a));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexiv(const GLint* v) {
+  log_call("glIndexiv", {array(Kind::kInts, v, 1)});
+  index(static_cast<float>(v[0]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexiv(const GLint* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexiv(v);
   index(static_cast<float>(v[0]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexf(GLfloat a) {
+  log_call("glIndexf", {number(a)});
+  index(a);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexf(GLfloat a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexf(a);
   index(a);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexfv(const GLfloat* v) {
+  log_call("glIndexfv", {array(Kind::kFloats, v, 1)});
+  index(v[0]);
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexfv(const GLfloat* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexfv(v);
   index(v[0]);
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexd(GLdouble a) {
+  log_call("glIndexd", {number(a)});
+  index(static_cast<float>(a));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexd(GLdouble a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexd(a);
   index(static_cast<float>(a));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexdv(const GLdouble* v) {
+  log_call("glIndexdv", {array(Kind::kDoubles, v, 1)});
+  index(static_cast<float>(v[0]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexdv(const GLdouble* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexdv(v);
   index(static_cast<float>(v[0]));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexub(GLubyte a) {
+  log_call("glIndexub", {number(a)});
+  index(static_cast<float>(a));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexub(GLubyte a) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexub(a);
   index(static_cast<float>(a));
 }
 
+[[gnu::cold, gnu::noinline]] static void logged_Indexubv(const GLubyte* v) {
+  log_call("glIndexubv", {array(Kind::kUnsignedBytes, v, 1)});
+  index(static_cast<float>(v[0]));
+}
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglIndexubv(const GLubyte* v) {
+  if (!direct_context && names_calls()) [[unlikely]] return logged_Indexubv(v);
   index(static_cast<float>(v[0]));
 }

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "debug/log.hpp"
+
 legacy_gl_context::legacy_gl_context(const legacy_gl_options& chosen,
                                      legacy_gl::Recorder& own_recorder,
                                      legacy_gl::ListState& own_lists)
@@ -21,6 +23,7 @@ constinit thread_local Context* current_context = nullptr;
 
 void raise_error(Context& context, GLenum error) {
   if (context.error == GL_NO_ERROR) context.error = error;
+  debug::log_error(error);
 }
 
 void diagnose(Context& context, const std::string& message) {

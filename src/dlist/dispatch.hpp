@@ -9,8 +9,8 @@
 
 namespace legacy_gl {
 
-/// The same while calls are executed at once; nullptr while a list is being compiled. One test of
-/// it is all that a call passes on its way.
+/// The same while calls are executed at once; nullptr while a list is being compiled, or where
+/// calls are told (debug/log.hpp). One test of it is all that a call passes on its way.
 extern constinit thread_local Context* direct_context;
 
 /// Brings direct_context up to date: after a list is begun or ended, and while one is played.
@@ -26,6 +26,7 @@ template <auto Execute, typename... Args>
 [[gnu::noinline]] void record(const Args&... args) {
   Context* const context = current_context;
   if (!context) return report_no_context();
+  if (!context->list_modes.compiling) return Execute(*context, args...);  // its call is told
   using Payload = std::tuple<Args...>;
   void* const payload = context->lists.append(&play<Execute, Args...>, sizeof(Payload));
   new (payload) Payload(args...);

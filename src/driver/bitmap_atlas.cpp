@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "driver/debug_labels.hpp"
+
 namespace legacy_gl {
 
 BitmapAtlas::~BitmapAtlas() {
@@ -77,6 +79,7 @@ void BitmapAtlas::bind() {
   if (!texture_) {
     driver_.GenTextures(1, &texture_);
     driver_.BindTexture(GL_TEXTURE_2D, texture_);
+    label(driver_, GL_TEXTURE, texture_, "glyphs of glBitmap");
     driver_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     driver_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     driver_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, kSide, kSide, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);

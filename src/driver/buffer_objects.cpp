@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "driver/debug_labels.hpp"
+
 namespace legacy_gl {
 
 namespace {
@@ -70,6 +72,7 @@ bool BufferObjects::set_data(BufferObject& buffer, GLsizeiptr size, const void* 
   }
   driver_.BufferData(kTarget, size, data, usage);
   const bool stored = driver_.GetError() == GL_NO_ERROR;
+  if (stored) label(driver_, GL_BUFFER, buffer.driver_name, "buffer object");
   buffer.size = stored ? size : 0;
   buffer.usage = usage;
   buffer.access = GL_READ_WRITE;

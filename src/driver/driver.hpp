@@ -136,10 +136,13 @@ namespace legacy_gl {
   X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV)       \
   X(LogicOp, LOGICOP)                                     \
   X(MultiDrawArrays, MULTIDRAWARRAYS)                     \
+  X(ObjectLabel, OBJECTLABEL)                             \
   X(PointSize, POINTSIZE)                                 \
   X(PolygonMode, POLYGONMODE)                             \
+  X(PopDebugGroup, POPDEBUGGROUP)                         \
   X(ProgramBinary, PROGRAMBINARY)                         \
   X(ProgramParameteri, PROGRAMPARAMETERI)                 \
+  X(PushDebugGroup, PUSHDEBUGGROUP)                       \
   X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) \
   X(UseProgramStages, USEPROGRAMSTAGES)
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "driver/debug_labels.hpp"
 #include "driver/textures.hpp"
 
 namespace legacy_gl {
@@ -25,8 +26,10 @@ void PixelTexture::load(const PixelImage& image, const PixelTile& tile) {
   const bool bytes = image.texels.type == Texels::Type::kBytes;
   const GLenum components = image.texels.components == 1 ? GL_RED : GL_RGBA;
   const GLenum type = bytes ? GL_UNSIGNED_BYTE : GL_FLOAT;
-  if (!texture_) driver_.GenTextures(1, &texture_);
+  const bool is_new = !texture_;
+  if (is_new) driver_.GenTextures(1, &texture_);
   driver_.BindTexture(GL_TEXTURE_2D, texture_);
+  if (is_new) label(driver_, GL_TEXTURE, texture_, "pixel rectangles");
   set_unpack_modes(driver_);
   if (format != format_ || tile.width > width_ || tile.height > height_) {
     format_ = format;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "debug/log.hpp"
 #include "shadergen/general.hpp"
 #include "shadergen/generator_version.hpp"
 
@@ -84,6 +85,7 @@ GLuint ProgramCache::build(const ProgramKey& key, legacy_gl_statistics& statisti
   if (!program) {
     const ProgramSource source = generate(key, driver_.dialect);
     ++statistics.programs_generated;
+    if (debug::wants(debug::kGlsl)) debug::log_text(source.vertex + source.fragment);
     program = linker_.link(source, statistics);
     if (program && files_.enabled()) files_.store(identity, linker_.stored(program, source));
   }

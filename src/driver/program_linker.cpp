@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "driver/debug_labels.hpp"
 #include "shadergen/uniform_blocks.hpp"
 
 namespace legacy_gl {
@@ -183,6 +184,7 @@ void ProgramLinker::bind(GLuint program, bool after_ours) const {
 void ProgramLinker::connect(const ProgramKey& key, GLuint program) {
   const auto at = programs_.find(program);
   if (at == programs_.end()) return;
+  if (driver_.ObjectLabel) label(driver_, GL_PROGRAM, at->second.vertex, describe(key));
   connect_stage(key, at->second.vertex);
   if (pipelines_) connect_stage(key, at->second.fragment);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "driver/debug_labels.hpp"
+
 namespace legacy_gl {
 
 StreamBuffer::StreamBuffer(const Driver& driver, GLenum target, std::size_t size, Use use)
@@ -10,6 +12,10 @@ StreamBuffer::StreamBuffer(const Driver& driver, GLenum target, std::size_t size
   driver_.GenBuffers(1, &name_);
   driver_.BindBuffer(target_, name_);
   driver_.BufferData(target_, static_cast<GLsizeiptr>(size_), nullptr, GL_STREAM_DRAW);
+  label(driver_, GL_BUFFER, name_,
+        target_ == GL_UNIFORM_BUFFER         ? "uniform blocks"
+        : target_ == GL_ELEMENT_ARRAY_BUFFER ? "stream of indices"
+                                             : "stream of vertices");
 }
 
 StreamBuffer::~StreamBuffer() {

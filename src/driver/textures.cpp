@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "driver/debug_labels.hpp"
+
 namespace legacy_gl {
 
 namespace {
@@ -48,11 +50,14 @@ void Textures::select_unit(unsigned unit) {
 
 void Textures::bind_unit(unsigned unit, TextureObject& texture) {
   select_unit(unit);
-  if (!texture.driver_name) {
+  const bool is_new = !texture.driver_name;
+  if (is_new) {
     driver_.GenTextures(1, &texture.driver_name);
     texture.delete_driver_texture = driver_.DeleteTextures;
   }
   driver_.BindTexture(driver_target(texture.target), texture.driver_name);
+  if (is_new && driver_.ObjectLabel)
+    label(driver_, GL_TEXTURE, texture.driver_name, "texture " + std::to_string(texture.name));
   bound_[unit] = texture.serial;
 }
 

@@ -1,5 +1,6 @@
 #include "driver/vertex_arrays.hpp"
 
+#include "driver/debug_labels.hpp"
 #include "shadergen/attributes.hpp"
 
 namespace legacy_gl {
@@ -24,6 +25,7 @@ GLuint build_buffer(const Driver& driver, GLenum target, const void* data, std::
   driver.GenBuffers(1, &buffer);
   driver.BindBuffer(target, buffer);
   driver.BufferData(target, static_cast<GLsizeiptr>(size), data, GL_STATIC_DRAW);
+  label(driver, GL_BUFFER, buffer, "mesh");
   return buffer;
 }
 

@@ -196,7 +196,7 @@ void set_material(Context& context, GLenum face, GLenum pname, Floats4 values) {
     if (changes & (1u << i))
       store_material_value(context.lighting.materials, i / kPropertyCount, i % kPropertyCount,
                            value);
-  context.dirty |= kDirtyMaterial;
+  mark_dirty(context, kDirtyMaterial);
 }
 
 void latch_color_material(Context& context) {
@@ -220,7 +220,7 @@ void set_color_material(Context& context, GLenum face, GLenum mode) {
   tracking.face = face;
   tracking.mode = mode;
   latch_color_material(context);
-  context.dirty |= kDirtyKey | kDirtyMaterial;
+  mark_dirty(context, kDirtyKey | kDirtyMaterial);
 }
 
 void set_shade_model(Context& context, GLenum mode) {
@@ -246,7 +246,7 @@ void enable_color_material(Context& context, bool enabled) {
   latch_color_material(context);
   tracking.enabled = enabled;
   latch_color_material(context);
-  context.dirty |= kDirtyKey | kDirtyMaterial;
+  mark_dirty(context, kDirtyKey | kDirtyMaterial);
 }
 
 }  // namespace legacy_gl

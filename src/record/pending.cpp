@@ -50,7 +50,7 @@ bool shades_next_draw(Context& context) {
 void before_texture_change(Context& context) {
   flush_pending(context);
   context.texture.active_stale = true;
-  context.dirty |= kDirtyTexture;
+  mark_dirty(context, kDirtyTexture);
 }
 
 }  // namespace legacy_gl

@@ -1,6 +1,7 @@
 #pragma once
 // What waits to be drawn, and when: the rule that every setter follows.
 #include "context/context.hpp"
+#include "debug/log.hpp"
 #include "record/recorder.hpp"
 
 namespace legacy_gl {
@@ -31,6 +32,13 @@ bool shades_next_draw(Context& context);
 /// Before a texture unit, or a texture that may be bound, changes: draws what is recorded.
 void before_texture_change(Context& context);
 
+/// What a call has changed is derived anew before the next draw.
+inline void mark_dirty(Context& context, std::uint32_t dirty_bits) {
+  context.dirty |= dirty_bits;
+  if (debug::names_calls()) [[unlikely]]
+    debug::log_state(dirty_bits);
+}
+
 /// The order of every setter: what was recorded under the old value is drawn, then the value is
 /// stored and its dirty bits raised. Returns *changed*.
 template <typename T, typename U>
@@ -38,7 +46,7 @@ bool assign(Context& context, T& stored, const U& value, std::uint32_t dirty_bit
   if (stored == value) return false;
   flush_pending(context);
   stored = value;
-  context.dirty |= dirty_bits;
+  mark_dirty(context, dirty_bits);
   return true;
 }
 
@@ -48,7 +56,7 @@ bool assign_lighting(Context& context, T& stored, const U& value, std::uint32_t 
   if (stored == value) return false;
   before_lighting_change(context);
   stored = value;
-  context.dirty |= dirty_bits;
+  mark_dirty(context, dirty_bits);
   return true;
 }
 

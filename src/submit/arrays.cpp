@@ -6,6 +6,7 @@
 #include "submit/arrays_direct.hpp"
 #include "submit/arrays_streamed.hpp"
 #include "submit/choose_path.hpp"
+#include "submit/draw_scope.hpp"
 #include "submit/path_state.hpp"
 #include "submit/prepare.hpp"
 
@@ -93,8 +94,12 @@ void draw_arrays(Context& context, const ArrayDraw& draw) {
                       .plain_quads = draw.mode == GL_QUADS && !draw.is_indexed()};
   const std::optional<DirectArrays> direct = find_direct_arrays(context, draw);
   request.fetched_by_driver = direct.has_value();
-  if (choose_path(request, state) == DrawPath::kArraysDirect)
+  if (const PathChoice choice = choose_path(request, state);
+      choice.path == DrawPath::kArraysDirect) {
+    flush_pending(context);
+    const DrawScope scope(context, choice, draw.mode, draw.count);
     return draw_arrays_direct(context, draw, *direct);
+  }
 
   ReadableArrays readable(context);
   const ElementView elements = draw.is_indexed() ? readable.elements(draw) : ElementView{};
@@ -102,9 +107,14 @@ void draw_arrays(Context& context, const ArrayDraw& draw) {
   request.fetched_by_driver = false;
   request.many_and_dense = range.has_value();
   request.has_tiny_normals = range && may_have_tiny_normals(context, readable.views(), *range);
-  if (choose_path(request, state) == DrawPath::kArraysStreamed &&
-      draw_arrays_streamed(context, draw, readable.views(), elements, *range))
-    return;
+  PathChoice choice = choose_path(request, state);
+  if (choice.path == DrawPath::kArraysStreamed) {
+    flush_pending(context);
+    const DrawScope scope(context, choice, draw.mode, draw.count);
+    if (draw_arrays_streamed(context, draw, readable.views(), elements, *range)) return;
+    choice = {DrawPath::kRecorder, "the driver has no memory for a stream"};
+  }
+  const DrawScope scope(context, choice, draw.mode, draw.count);
   if (draw.is_indexed()) submit_elements(context, readable.views(), draw.mode, elements);
   else submit_arrays(context, readable.views(), draw.mode, draw.first, draw.count);
 }

@@ -8,7 +8,6 @@
 #include "geometry/clip_test.hpp"
 #include "geometry/primitives.hpp"
 #include "record/current_normal.hpp"
-#include "record/pending.hpp"
 #include "shadergen/attributes.hpp"
 #include "submit/prepare.hpp"
 #include "translate/draw_inputs_parts.hpp"
@@ -152,7 +151,6 @@ void draw_arrays_direct(Context& context, const ArrayDraw& draw, DirectArrays ar
   const bool native = draws_without_indices(draw.mode);
   const BufferObject* const elements = element_buffer(context, draw);
   if (draw.is_indexed() && !elements && !draw.elements) return;
-  flush_pending(context);
   prepare(context, arrays.layout);
   if (!use_program(context, draw.mode, draw.count)) return;
   arrays.attributes.index_buffer =

@@ -17,7 +17,7 @@ struct DirectArrays {
 /// reads as OpenGL 1.5 does.
 std::optional<DirectArrays> find_direct_arrays(Context& context, const ArrayDraw& draw);
 
-/// Draws them from where they lie, without a copy.
+/// Nothing waits. Draws them from where they lie, without a copy.
 void draw_arrays_direct(Context& context, const ArrayDraw& draw, DirectArrays arrays);
 
 }  // namespace legacy_gl

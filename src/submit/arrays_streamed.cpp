@@ -8,7 +8,6 @@
 #include "geometry/primitives.hpp"
 #include "geometry/tiny_normals.hpp"
 #include "record/array_gather.hpp"
-#include "record/pending.hpp"
 #include "submit/prepare.hpp"
 
 namespace legacy_gl {
@@ -79,7 +78,6 @@ bool draw_arrays_streamed(Context& context, const ArrayDraw& draw, const ArrayVi
   const Driver& driver = context.driver->functions;
   Submission& submission = *context.submission;
   const ArrayView& positions = views[kVertexArray];
-  flush_pending(context);
   VertexLayout layout = Recorder::relevant_layout(context);
   if (has_other_w(positions, range.lowest, range.highest - range.lowest + 1))
     layout.fields |= kFieldPositionW;

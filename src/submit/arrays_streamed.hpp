@@ -15,8 +15,8 @@ std::optional<ElementRange> find_dense_range(const ArrayDraw& draw, const Elemen
 bool may_have_tiny_normals(const Context& context, const ArrayViews& views,
                            const ElementRange& range);
 
-/// Draws the vertices of `range`, converted straight into the driver's memory. False when the
-/// driver gives none.
+/// Nothing waits. Draws the vertices of `range`, converted straight into the driver's memory. False
+/// when the driver gives none.
 bool draw_arrays_streamed(Context& context, const ArrayDraw& draw, const ArrayViews& views,
                           const ElementView& elements, const ElementRange& range);
 

@@ -4,39 +4,60 @@ namespace legacy_gl {
 
 namespace {
 
-/// The primitives themselves are needed, not only their vertices.
-bool makes_primitives(const DrawRequest& request, const PathState& state) {
-  return (state.unfilled && request.has_polygons) || (state.replaces_lines && request.has_lines);
+constexpr const char* kTinyNormals = "the recorder makes short normals longer";
+constexpr const char* kNoPrimitives = "the primitives are drawn as they are";
+
+/// Why the primitives themselves are needed, not only their vertices; nullptr where they are not.
+const char* why_primitives_are_made(const DrawRequest& request, const PathState& state) {
+  if (state.unfilled && request.has_polygons) return "glPolygonMode makes lines or points of it";
+  if (state.replaces_lines && request.has_lines)
+    return "lines are stippled, or wider than the driver draws";
+  return nullptr;
 }
 
-DrawPath path_of_arrays(const DrawRequest& request, const PathState& state) {
-  if (makes_primitives(request, state)) return DrawPath::kRecorder;
-  if (request.fetched_by_driver && state.paths.arrays_direct) return DrawPath::kArraysDirect;
-  if (!request.many_and_dense || request.plain_quads || !state.paths.arrays_streamed)
-    return DrawPath::kRecorder;
-  // The recorder makes short normals longer.
-  if (request.has_tiny_normals && state.normalizes) return DrawPath::kRecorder;
-  return DrawPath::kArraysStreamed;
+PathChoice path_of_arrays(const DrawRequest& request, const PathState& state) {
+  if (const char* const rule = why_primitives_are_made(request, state))
+    return {DrawPath::kRecorder, rule};
+  if (request.fetched_by_driver && state.paths.arrays_direct)
+    return {DrawPath::kArraysDirect, "the driver reads the buffer objects as they are"};
+  if (!request.many_and_dense)
+    return {DrawPath::kRecorder, "the vertices are few, or far apart in the arrays"};
+  if (request.plain_quads)
+    return {DrawPath::kRecorder, "how GL_QUADS are split depends on positions"};
+  if (!state.paths.arrays_streamed)
+    return {DrawPath::kRecorder, "LEGACY_GL_DISABLE has arrays_streamed"};
+  if (request.has_tiny_normals && state.normalizes) return {DrawPath::kRecorder, kTinyNormals};
+  return {DrawPath::kArraysStreamed, "the vertices are many, and close together in the arrays"};
 }
 
-DrawPath path_of_mesh(const DrawRequest& request, const PathState& state) {
-  if (makes_primitives(request, state) || !state.paths.list_meshes) return DrawPath::kRecorder;
-  if (request.has_tiny_normals && state.normalizes) return DrawPath::kRecorder;
-  return DrawPath::kMesh;
+PathChoice path_of_mesh(const DrawRequest& request, const PathState& state) {
+  if (const char* const rule = why_primitives_are_made(request, state))
+    return {DrawPath::kRecorder, rule};
+  if (!state.paths.list_meshes) return {DrawPath::kRecorder, "LEGACY_GL_DISABLE has list_meshes"};
+  if (request.has_tiny_normals && state.normalizes) return {DrawPath::kRecorder, kTinyNormals};
+  return {DrawPath::kMesh, kNoPrimitives};
+}
+
+PathChoice path_of_batch(const DrawRequest& request, const PathState& state) {
+  if (const char* const rule = why_primitives_are_made(request, state))
+    return {DrawPath::kExpanded, rule};
+  return {DrawPath::kBatch, kNoPrimitives};
 }
 
 }  // namespace
 
-DrawPath choose_path(const DrawRequest& request, const PathState& state) {
+PathChoice choose_path(const DrawRequest& request, const PathState& state) {
+  if (!state.renders) {
+    const bool is_batch = request.source == DrawRequest::Source::kBatch;
+    return {is_batch ? DrawPath::kCpuPipeline : DrawPath::kRecorder,
+            "glRenderMode is not GL_RENDER"};
+  }
   switch (request.source) {
-    case DrawRequest::Source::kArrays:
-      return state.renders ? path_of_arrays(request, state) : DrawPath::kRecorder;
-    case DrawRequest::Source::kMesh:
-      return state.renders ? path_of_mesh(request, state) : DrawPath::kRecorder;
+    case DrawRequest::Source::kArrays: return path_of_arrays(request, state);
+    case DrawRequest::Source::kMesh: return path_of_mesh(request, state);
     case DrawRequest::Source::kBatch: break;
   }
-  if (!state.renders) return DrawPath::kCpuPipeline;
-  return makes_primitives(request, state) ? DrawPath::kExpanded : DrawPath::kBatch;
+  return path_of_batch(request, state);
 }
 
 const char* name_of(DrawPath path) {

@@ -42,6 +42,11 @@ struct PathState {
   OptionalPaths paths = {};     ///< what LEGACY_GL_DISABLE leaves
 };
 
-DrawPath choose_path(const DrawRequest& request, const PathState& state);
+struct PathChoice {
+  DrawPath path;
+  const char* rule;  ///< that has chosen it, in words for LEGACY_GL_DEBUG=paths
+};
+
+PathChoice choose_path(const DrawRequest& request, const PathState& state);
 
 }  // namespace legacy_gl

@@ -11,6 +11,7 @@
 #include "submit/batch.hpp"
 #include "submit/bitmaps.hpp"
 #include "submit/choose_path.hpp"
+#include "submit/draw_scope.hpp"
 #include "submit/expanded.hpp"
 #include "submit/mesh.hpp"
 #include "submit/path_state.hpp"
@@ -19,6 +20,9 @@
 namespace legacy_gl {
 
 namespace {
+
+constexpr PathChoice kJoinsBatch = {DrawPath::kRecorder,
+                                    "a small mesh joins the batch, transformed or lit on the CPU"};
 
 FastPath* fast_path_of(const Context& context) { return context.submission->fast_path.get(); }
 
@@ -44,7 +48,9 @@ void draw_rendered(Context& context) {
       .has_polygons = state.unfilled && has_polygons(recorder.runs()),
       .has_lines = state.replaces_lines && has_lines(recorder.runs()),
   };
-  if (choose_path(request, state) == DrawPath::kExpanded) draw_expanded(context);
+  const PathChoice choice = choose_path(request, state);
+  const DrawScope scope(context, choice, recorder.runs(), recorder.vertex_count());
+  if (choice.path == DrawPath::kExpanded) draw_expanded(context);
   else draw_batch_as_recorded(context);
 }
 
@@ -59,10 +65,15 @@ PathState path_state(const Context& context) {
 }
 
 void DriverRenderer::draw_batch(Context& context) {
-  if (context.selection.is_selecting()) return select_recorded(context);
-  if (context.selection.is_feeding_back()) return feed_back_recorded(context);
-  draw_rendered(context);
-  context.recorder.clear();
+  Recorder& recorder = context.recorder;
+  if (context.selection.is_rendering()) {
+    draw_rendered(context);
+    return recorder.clear();
+  }
+  const DrawScope scope(context, choose_path({}, path_state(context)), recorder.runs(),
+                        recorder.vertex_count());
+  if (context.selection.is_selecting()) select_recorded(context);
+  else feed_back_recorded(context);
 }
 
 void DriverRenderer::draw_bitmaps(Context& context) { legacy_gl::draw_bitmaps(context); }
@@ -75,10 +86,18 @@ void DriverRenderer::draw_mesh(Context& context, const ListMesh& mesh) {
       .has_lines = state.replaces_lines && has_lines(mesh.runs),
       .has_tiny_normals = mesh.tiny_normals,
   };
-  if (choose_path(request, state) == DrawPath::kRecorder) return record_mesh(context, mesh);
+  const PathChoice choice = choose_path(request, state);
+  if (choice.path == DrawPath::kRecorder) {
+    const DrawScope scope(context, choice, mesh.runs, mesh.vertex_count());
+    return record_mesh(context, mesh);
+  }
   FastPath* const fast_path = fast_path_of(context);
-  if (fast_path && fast_path->append_mesh(context, mesh)) return;
+  if (fast_path && fast_path->append_mesh(context, mesh)) {
+    const DrawScope scope(context, kJoinsBatch, mesh.runs, mesh.vertex_count());
+    return;
+  }
   flush_pending(context);
+  const DrawScope scope(context, choice, mesh.runs, mesh.vertex_count());
   draw_mesh_from_buffers(context, mesh);
 }
 
