@@ -1,7 +1,7 @@
 #include "execute/attribute_stack.hpp"
 
-#include "driver/driver_objects.hpp"
 #include "context/context.hpp"
+#include "driver/driver_objects.hpp"
 #include "execute/attributes.hpp"
 #include "execute/capabilities.hpp"
 #include "execute/framebuffer.hpp"
