@@ -13,9 +13,9 @@ StreamBuffer::StreamBuffer(const Driver& driver, GLenum target, std::size_t size
   driver_.BindBuffer(target_, name_);
   driver_.BufferData(target_, static_cast<GLsizeiptr>(size_), nullptr, GL_STREAM_DRAW);
   label(driver_, GL_BUFFER, name_,
-        target_ == GL_UNIFORM_BUFFER         ? "uniform blocks"
-        : target_ == GL_ELEMENT_ARRAY_BUFFER ? "stream of indices"
-                                             : "stream of vertices");
+        target_ == GL_UNIFORM_BUFFER      ? "uniform blocks"
+        : target_ == GL_COPY_WRITE_BUFFER ? "stream of indices"
+                                          : "stream of vertices");
 }
 
 StreamBuffer::~StreamBuffer() {
