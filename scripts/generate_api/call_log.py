@@ -84,12 +84,13 @@ def plain_names(api, by_hand):
 #pragma once
 #include "state/gl_types.hpp"
 
+// NOLINTBEGIN(readability-redundant-declaration): gl.h declares them without the linker's names.
 extern "C" {
 """
     for name in by_hand:
         command = api.commands[name]
         out += f"{command.result} LEGACY_GL_APIENTRY lgl{name}({command.declaration()}) __asm__(\"plain_lgl{name}\");\n"
-    return out + "}\n"
+    return out + "}\n// NOLINTEND(readability-redundant-declaration)\n"
 
 
 RESULTS = {"GLenum": 'enumerant("ErrorCode", result)', "GLboolean": "boolean(result)", "const GLubyte *": "text(result)"}

@@ -5,6 +5,7 @@
 #pragma once
 #include "state/gl_types.hpp"
 
+// NOLINTBEGIN(readability-redundant-declaration): gl.h declares them without the linker's names.
 extern "C" {
 void LEGACY_GL_APIENTRY lglCullFace(GLenum mode) __asm__("plain_lglCullFace");
 void LEGACY_GL_APIENTRY lglFrontFace(GLenum mode) __asm__("plain_lglFrontFace");
@@ -249,3 +250,4 @@ GLboolean LEGACY_GL_APIENTRY lglUnmapBuffer(GLenum target) __asm__("plain_lglUnm
 void LEGACY_GL_APIENTRY lglGetBufferParameteriv(GLenum target, GLenum pname, GLint *params) __asm__("plain_lglGetBufferParameteriv");
 void LEGACY_GL_APIENTRY lglGetBufferPointerv(GLenum target, GLenum pname, void **params) __asm__("plain_lglGetBufferPointerv");
 }
+// NOLINTEND(readability-redundant-declaration)

@@ -89,6 +89,7 @@ void log(const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
   char line[1024];
+  // The analyser does not know va_start here. NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized)
   std::vsnprintf(line, sizeof line, format, arguments);
   va_end(arguments);
   std::fprintf(file, "%s\n", line);
