@@ -100,12 +100,17 @@ Float4 whole_power(const Float4& q, unsigned exponent, unsigned amplify) {
   return least(greatest(x, splat(0)), splat(1e30f));
 }
 
+/// (1 - q)^exponent, to float32's digits however small it is.
+Float4 power_by_logarithm(const Float4& q, float exponent) {
+  const Float4 x = 1.0f - q;
+  return x > 0 ? exp2_of(exponent * log2_of(x, q)) : Float4{};
+}
+
 /// (1 - q)^exponent; 0^0 is 1.
 Float4 power_of_complement(const Float4& q, float exponent, unsigned amplify) {
   if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 128)
     return whole_power(q, static_cast<unsigned>(exponent), amplify);
-  const Float4 x = 1.0f - q;
-  return x > 0 ? exp2_of(exponent * log2_of(x, q)) : Float4{};
+  return power_by_logarithm(q, exponent);
 }
 
 class Lighter {
@@ -196,7 +201,7 @@ class Lighter {
       const Vector chord = to_light + vector_of(light.spot_direction);
       const Float4 one_minus_cosine = 0.5f * dot(chord, chord);
       if (kind & kLightSpotExponent)
-        strength *= power_of_complement(one_minus_cosine, light.attenuation.w, 1);
+        strength *= power_by_logarithm(one_minus_cosine, light.attenuation.w);
       strength = one_minus_cosine <= light.spot_direction.w ? strength : Float4{};
     }
     return strength;
