@@ -51,7 +51,8 @@ std::string bitfield_text(std::string_view group, unsigned bits) {
   for (unsigned bit = 1; bit; bit <<= 1) {
     if (!(bits & bit)) continue;
     const std::string_view name = find(group, bit);
-    text += (text.empty() ? "" : "|") + (name.empty() ? hexadecimal(bit) : std::string(name));
+    if (!text.empty()) text += '|';
+    text += name.empty() ? hexadecimal(bit) : std::string(name);
   }
   return text.empty() ? "0" : text;
 }

@@ -75,9 +75,8 @@ ElementView ReadableArrays::elements(const ArrayDraw& draw) {
 }
 
 bool draws_from_mapped_buffer(Context& context, bool elements) {
-  BufferObjects& buffers = context.driver->buffers;
-  const auto is_mapped = [&buffers](GLuint name) {
-    const BufferObject* const buffer = name ? buffers.find(name) : nullptr;
+  const auto is_mapped = [&context](GLuint name) {
+    const BufferObject* const buffer = name ? context.driver->buffers.find(name) : nullptr;
     return buffer && buffer->mapped;
   };
   for (const ClientArray& array : context.arrays.arrays)
