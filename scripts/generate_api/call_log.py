@@ -1,12 +1,13 @@
 """Calls in words: the public entry points that tell a call and make it, and the names of enums.
 
 The functions of src/api are compiled under the names of src/api/plain_names.hpp. src/api/logged_calls.cpp defines
-the public names in front of them. The variants of glVertex and its like tell of themselves (variants.py), where no
-call passes that is executed at once.
+the public names in front of them. The variants of glVertex and its like (variants.py) are logged where they leave
+their shortest way.
 """
 
 import re
 
+from registry import Parameter
 from tables import GENERATED
 
 KINDS = {"GLbyte": "kBytes", "GLubyte": "kUnsignedBytes", "GLshort": "kShorts", "GLushort": "kUnsignedShorts",
@@ -47,99 +48,55 @@ def _argument(parameter, command, api):
 
 
 def arguments(command, api):
-    return "{" + ", ".join(_argument(p, command, api) for p in command.parameters) + "}"
+    return ", ".join(_argument(p, command, api) for p in command.parameters)
 
 
-def variant(text, api):
-    """Each function of a file of variants tells of itself where it would leave its shortest way. All of that is a
-    function of its own, so that the shortest way needs no stack frame."""
-    def with_log(match):
-        name, declaration, body = match.groups()
-        command = api.commands[name]
-        names = ", ".join(_names(declaration))
-        return (f"[[gnu::cold, gnu::noinline]] static void logged_{name}({declaration}) {{\n"
-                f"  log_call(\"gl{name}\", {_renamed(command, declaration, api)});\n  {body.strip()}\n}}\n"
-                f"LEGACY_GL_API void LEGACY_GL_APIENTRY lgl{name}({declaration}) {{\n"
-                f"  if (!direct_context && names_calls()) [[unlikely]] return logged_{name}({names});\n"
-                f"  {body.strip()}\n}}\n")
-    text = re.sub(r"^LEGACY_GL_API void LEGACY_GL_APIENTRY lgl(\w+)\(([^)]*)\) \{([^}]*)\}\n", with_log, text, flags=re.M)
-    return text.replace("using namespace legacy_gl;\n", "using namespace legacy_gl;\nusing namespace legacy_gl::debug;\n"
-                        "using Kind [[maybe_unused]] = Argument::Kind;\n", 1)
+def variant(name, declaration, body, api):
+    """A row of src/api/vertex_variants_*.cpp: `body` is what the variant does with the values of `declaration`."""
+    command = api.commands[name]
+    names = re.findall(r"(\w+)(?:,|$)", declaration)
+    told = [_argument(Parameter(p.type, own_name, p.group, p.length), command, api)
+            for p, own_name in zip(command.parameters, names)]
+    return f"LEGACY_GL_VARIANT({name}, ({declaration}), ({', '.join(names)}), {body}, {', '.join(told)})\n"
 
 
-def _names(declaration):
-    return [re.search(r"(\w+)$", part).group(1) for part in declaration.split(",")]
-
-
-def _renamed(command, declaration, api):
-    """The arguments under the names that the definition gives them."""
-    renamed = [type(p)(p.type, name, p.group, p.length)
-               for p, name in zip(command.parameters, _names(declaration))]
-    return "{" + ", ".join(_argument(p, command, api) for p in renamed) + "}"
-
-
-def plain_names(api, by_hand):
-    out = GENERATED + """// The functions of src/api are compiled with this header in front, under other names for the linker:
-// the public ones are in logged_calls.cpp, which tells a call where that is asked for and makes it.
-#pragma once
-#include "state/gl_types.hpp"
-
-// NOLINTBEGIN(readability-redundant-declaration): gl.h declares them without the linker's names.
-extern "C" {
-"""
-    for name in by_hand:
-        command = api.commands[name]
-        out += f"{command.result} LEGACY_GL_APIENTRY lgl{name}({command.declaration()}) __asm__(\"plain_lgl{name}\");\n"
-    return out + "}\n// NOLINTEND(readability-redundant-declaration)\n"
-
-
-RESULTS = {"GLenum": 'enumerant("ErrorCode", result)', "GLboolean": "boolean(result)", "const GLubyte *": "text(result)"}
+RESULTS = {"void": "nothing", "GLenum": "error_code", "GLboolean": "boolean", "const GLubyte *": "text"}
 
 
 def logged_calls(api, by_hand):
-    out = GENERATED + """// The public entry points: each call is told where that is asked for (debug/log.hpp), and made
-// (plain_names.hpp).
-#include "debug/call_log.hpp"
-#include "state/gl_types.hpp"
-
-using namespace legacy_gl::debug;
-using Kind = Argument::Kind;
-
-extern "C" {
-"""
+    out = GENERATED
     for name in by_hand:
         command = api.commands[name]
-        out += f"{command.result} LEGACY_GL_APIENTRY plain_lgl{name}({command.declaration()});\n"
-    for name in by_hand:
-        command = api.commands[name]
-        names = ", ".join(p.name for p in command.parameters)
-        told = RESULTS.get(command.result, "address(result)" if "*" in command.result else "number(result)")
-        made = (f"  plain_lgl{name}({names});\n" if command.result == "void" else
-                f"  const auto result = plain_lgl{name}({names});\n  log_result({told});\n  return result;\n")
-        out += (f"\n[[gnu::cold, gnu::noinline]] static {command.result} logged_{name}({command.declaration()}) {{\n"
-                f"  log_call(\"gl{name}\", {arguments(command, api)});\n{made}}}\n"
-                f"LEGACY_GL_API {command.result} LEGACY_GL_APIENTRY lgl{name}({command.declaration()}) {{\n"
-                f"  if (names_calls()) [[unlikely]] return logged_{name}({names});\n"
-                f"  return plain_lgl{name}({names});\n}}\n")
-    return out + "\n}\n"
+        result = RESULTS.get(command.result, "address" if "*" in command.result else "number")
+        fields = [command.result, name, f"({command.declaration()})", f"({command.names()})", result,
+                  arguments(command, api)]
+        out += f"LEGACY_GL_LOGGED_CALL({', '.join(filter(None, fields))})\n"
+    return out
 
 
 def enum_names(api):
-    used = {p.group for command in api.commands.values() for p in command.parameters} | {"ErrorCode"}
+    """One name for each value, and the names by group where a group calls a value otherwise. Small values and bits
+    have names in their groups alone."""
     ours = {name for enums in api.enums.values() for name, _ in enums}
-    rows = {}
-    for enums in api.enums.values():
-        for name, value in enums:
-            if int(value, 0) >= 0x100 and not name.endswith("_BIT"):
-                rows.setdefault(("", int(value, 0)), []).append(name)
-    for group in used & api.enum_groups.keys():
-        for name, value in api.enum_groups[group]:
-            rows.setdefault((group, int(value, 0)), []).append(name)
+    groups = {p.group for command in api.commands.values() for p in command.parameters} | {"ErrorCode"}
+    bitfields = {p.group for command in api.commands.values() for p in command.parameters if p.type == "GLbitfield"}
 
     def best(names):
         return min(names, key=lambda name: (name not in ours, len(name), name))
 
-    def order(key):
-        return key[0].encode(), key[1]
-    return GENERATED + "".join(f'{{"{group}", {value:#x}u, "{best(rows[group, value])}"}},\n'
-                               for group, value in sorted(rows, key=order) if value < 1 << 32)
+    every, of_group = {}, {}
+    for enums in api.enums.values():
+        for name, value in enums:
+            every.setdefault(int(value, 0), []).append(name)
+    for group in groups & api.enum_groups.keys():
+        for name, value in api.enum_groups[group]:
+            if group not in bitfields:
+                every.setdefault(int(value, 0), []).append(name)
+            of_group.setdefault((group, int(value, 0)), []).append(name)
+    rows = {("", value): best(names) for value, names in every.items()
+            if 0x100 <= value < 1 << 32 and not best(names).endswith("_BIT")}
+    for (group, value), names in of_group.items():
+        if value < 1 << 32 and (group in bitfields or rows.get(("", value)) != best(names)):
+            rows[group, value] = best(names)
+    return GENERATED + "".join(f'{{"{group}", {value:#x}u, "{rows[group, value]}"}},\n'
+                               for group, value in sorted(rows, key=lambda key: (key[0].encode(), key[1])))

@@ -1,4 +1,5 @@
-"""The exported names of the drop-in libGL.so.1: src/platform/exported_*.inc.
+"""The names that we answer for, src/api/gl_names.inc, and the other exported names of the drop-in libGL.so.1,
+src/platform/exported_*.inc.
 
 Ours are the entry points of OpenGL 1.0 to 1.5 and their aliases with ARB and EXT endings. Every other
 command of OpenGL, of ARB and EXT extensions and of GLX passes to the driver's library.
@@ -64,29 +65,26 @@ def _declared(command):
     return not any(UNDECLARED.search(text) for text in texts)
 
 
-def _arguments(command):
-    return ", ".join(p.name for p in command.parameters)
-
-
 def _function(macro, command, *more):
-    fields = [command.result, command.name, f"({command.declaration()})", f"({_arguments(command)})", *more]
+    fields = [command.result, command.name, f"({command.declaration()})", f"({command.names()})", *more]
     return f"{macro}({', '.join(fields)})\n"
 
 
 def gl(path, api):
     """(ours, the driver's)."""
     root, commands, aliases = _commands(path)
-    ours, others = GENERATED, GENERATED
+    ours, others = [], GENERATED
     for name in _names(root, "gl", r"GL_(ARB|EXT)_"):
         command = commands[name]
         target = name
         while target[2:] not in api.commands and target in aliases:
             target = aliases[target]
         if target[2:] in api.commands:
-            ours += _function("LEGACY_GL_OURS", command, "l" + target)
+            ours.append(_function("LEGACY_GL_NAME", command, "l" + target))
         elif name not in GL_BY_HAND and _declared(command):
             others += _function("LEGACY_GL_PASSED", command)
-    return ours, others
+    rows = sorted(ours, key=lambda row: row.split(", ")[1])
+    return GENERATED + "// Sorted by name, for binary search.\n" + "".join(rows), others
 
 
 def glx(path):

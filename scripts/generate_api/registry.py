@@ -24,6 +24,9 @@ class Command:
     def declaration(self):
         return ", ".join(f"{p.type}{'' if p.type.endswith('*') else ' '}{p.name}" for p in self.parameters) or "void"
 
+    def names(self):
+        return ", ".join(p.name for p in self.parameters)
+
 
 @dataclass
 class Api:

@@ -1,7 +1,6 @@
 #include <legacy_gl/context.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <string_view>
 
@@ -10,21 +9,22 @@
 namespace {
 
 struct EntryPoint {
-  std::string_view name;  // without the gl prefix
+  std::string_view name;
   legacy_gl_proc address;
 };
 
 const EntryPoint kEntryPoints[] = {
-#define LEGACY_GL_ENTRY_POINT(name) {#name, reinterpret_cast<legacy_gl_proc>(lgl##name)},
-#include "api/entry_point_table.inc"
-#undef LEGACY_GL_ENTRY_POINT
+#define LEGACY_GL_NAME(result, name, parameters, arguments, ours) \
+  {#name, reinterpret_cast<legacy_gl_proc>(ours)},
+#include "api/gl_names.inc"
+#undef LEGACY_GL_NAME
 };
 
 }  // namespace
 
 legacy_gl_proc legacy_gl_get_proc_address(const char* name) {
-  if (!name || std::strncmp(name, "gl", 2) != 0) return nullptr;
-  const std::string_view wanted = name + 2;
+  if (!name) return nullptr;
+  const std::string_view wanted = name;
   const auto* const at = std::lower_bound(
       std::begin(kEntryPoints), std::end(kEntryPoints), wanted,
       [](const EntryPoint& entry, std::string_view key) { return entry.name < key; });

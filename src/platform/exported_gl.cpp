@@ -12,14 +12,14 @@
 using legacy_gl::platform::BesideOurs;
 using legacy_gl::platform::find_gl;
 
-#define LEGACY_GL_OURS(result, name, parameters, arguments, ours) \
+#define LEGACY_GL_NAME(result, name, parameters, arguments, ours) \
   LEGACY_GL_EXPORT result APIENTRY name parameters {              \
     if (legacy_gl_get_current()) return ours arguments;           \
     LEGACY_GL_CALL_DRIVER(find_gl, result, name, arguments);      \
   }
 // Some aliases name an enum's type where the command they stand for has an integer's.
 #pragma GCC diagnostic ignored "-Wsign-conversion"
-#include "platform/exported_gl_ours.inc"
+#include "api/gl_names.inc"
 
 #define LEGACY_GL_PASSED(result, name, parameters, arguments) \
   LEGACY_GL_EXPORT result APIENTRY name parameters {          \

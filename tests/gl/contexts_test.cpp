@@ -230,6 +230,8 @@ TEST(Contexts, CallsWithoutOneAreHarmless) {
 TEST(ProcAddress, KnowsTheNamesOfOpenGl15AndNoOther) {
   EXPECT_NE(legacy_gl_get_proc_address("glLightfv"), nullptr);
   EXPECT_NE(legacy_gl_get_proc_address("glGetBufferSubData"), nullptr);
+  EXPECT_EQ(legacy_gl_get_proc_address("glActiveTextureARB"),
+            legacy_gl_get_proc_address("glActiveTexture"));
   for (const char* name : {"", "gl", "Lightfv", "glLightfvx", "glCreateShader", "glZ"})
     EXPECT_EQ(legacy_gl_get_proc_address(name), nullptr) << name;
   EXPECT_EQ(legacy_gl_get_proc_address(nullptr), nullptr);
