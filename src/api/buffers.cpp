@@ -14,7 +14,7 @@ bool inside(Context& c) {
 }
 
 /// Where the target's binding is kept; nullptr for an enum that is no target.
-GLuint* binding(Context& c, GLenum target) {
+BufferPointer* binding(Context& c, GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER: return &c.arrays.array_buffer;
     case GL_ELEMENT_ARRAY_BUFFER: return &c.arrays.element_buffer;
@@ -25,11 +25,13 @@ GLuint* binding(Context& c, GLenum target) {
 /// The object bound to the target; nullptr after raising the error that there is none.
 BufferObject* bound_buffer(Context& c, GLenum target) {
   if (inside(c)) return nullptr;
-  const GLuint* const name = binding(c, target);
-  BufferObject* const buffer = name ? c.driver->buffers.find(*name) : nullptr;
-  if (!name) raise_error(c, GL_INVALID_ENUM);
-  else if (!buffer) raise_error(c, GL_INVALID_OPERATION);
-  return buffer;
+  const BufferPointer* const bound = binding(c, target);
+  if (!bound) {
+    raise_error(c, GL_INVALID_ENUM);
+    return nullptr;
+  }
+  if (!*bound) raise_error(c, GL_INVALID_OPERATION);
+  return bound->get();
 }
 
 bool is_usage(GLenum usage) {
@@ -59,10 +61,20 @@ void gen_buffers(Context& c, GLsizei n, GLuint* names) {
 
 void bind_buffer(Context& c, GLenum target, GLuint name) {
   if (inside(c)) return;
-  GLuint* const bound = binding(c, target);
+  BufferPointer* const bound = binding(c, target);
   if (!bound) return raise_error(c, GL_INVALID_ENUM);
-  if (name) c.driver->buffers.find_or_create(name);
-  *bound = name;
+  *bound = name ? c.driver->buffers.find_or_create(name) : nullptr;
+}
+
+/// Bindings of this context to a buffer that is deleted become 0.
+void unbind(Context& c, const BufferPointer& buffer) {
+  if (c.arrays.array_buffer == buffer) c.arrays.array_buffer = nullptr;
+  if (c.arrays.element_buffer == buffer) c.arrays.element_buffer = nullptr;
+  for (ClientArray& array : c.arrays.arrays)
+    if (array.buffer == buffer) {
+      array.buffer = nullptr;
+      array.buffer_deleted = true;
+    }
 }
 
 void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
@@ -70,17 +82,9 @@ void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
   if (n < 0) return raise_error(c, GL_INVALID_VALUE);
   if (!names) return;
   for (GLsizei i = 0; i < n; ++i) {
-    const GLuint name = names[i];
-    if (name == 0) continue;
-    // Bindings to it become 0.
-    if (c.arrays.array_buffer == name) c.arrays.array_buffer = 0;
-    if (c.arrays.element_buffer == name) c.arrays.element_buffer = 0;
-    for (ClientArray& array : c.arrays.arrays)
-      if (array.buffer == name) {
-        array.buffer = 0;
-        array.buffer_deleted = true;
-      }
-    c.driver->delete_buffer(name);
+    if (names[i] == 0) continue;
+    if (const BufferPointer buffer = c.driver->buffers.find(names[i])) unbind(c, buffer);
+    c.driver->delete_buffer(names[i]);
   }
 }
 

@@ -13,14 +13,14 @@ using namespace legacy_gl;
 namespace {
 
 GLuint driver_texture(Context& c, GLuint name) {
-  const TexturePointer texture = name ? c.texture.names->find(name) : nullptr;
+  const TexturePointer texture = name ? c.texture.shared->names.find(name) : nullptr;
   if (!texture) return 0;
   flush_pending(c);
   return c.driver->textures.driver_name(*texture);
 }
 
 GLboolean is_renderable(Context& c, GLuint name) {
-  const TexturePointer texture = name ? c.texture.names->find(name) : nullptr;
+  const TexturePointer texture = name ? c.texture.shared->names.find(name) : nullptr;
   if (!texture) return GL_FALSE;
   const BaseFormat base = texture->base();
   return base != BaseFormat::kAlpha && base != BaseFormat::kLuminanceAlpha ? GL_TRUE : GL_FALSE;

@@ -21,10 +21,11 @@ void new_list(Context& c, GLuint name, GLenum mode) {
   if (name == 0) return raise_error(c, GL_INVALID_VALUE);
   if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return raise_error(c, GL_INVALID_ENUM);
   if (c.list_modes.compiling) return raise_error(c, GL_INVALID_OPERATION);
+  c.lists.compiling_list = std::make_shared<DisplayList>();
   c.list_modes.compiling = true;
+  c.lists.failed = false;
   c.list_modes.mode = mode;
   c.list_modes.compiling_name = name;
-  c.lists.compiling_list = std::make_shared<DisplayList>();
   c.lists.welder = {};
   update_direct_context();
 }
@@ -32,27 +33,44 @@ void new_list(Context& c, GLuint name, GLenum mode) {
 void end_list(Context& c) {
   if (in_begin_end(c)) return;
   if (!c.list_modes.compiling) return raise_error(c, GL_INVALID_OPERATION);
+  const std::shared_ptr<DisplayList> list = std::exchange(c.lists.compiling_list, nullptr);
+  const GLuint name = std::exchange(c.list_modes.compiling_name, 0);
   c.list_modes.compiling = false;
-  c.lists.compiling_list->finish();
-  c.lists.names->store(c.list_modes.compiling_name, std::move(c.lists.compiling_list));
-  c.lists.compiling_list = nullptr;
-  c.list_modes.compiling_name = 0;
   c.list_modes.mode = 0;
+  c.lists.welder = {};
   update_direct_context();
+  if (std::exchange(c.lists.failed, false)) return;
+  list->finish();
+  c.lists.names->store(name, list);
 }
+
+/// What a list executes is not recorded again: GL_COMPILE_AND_EXECUTE records the call itself.
+class ListCall {
+ public:
+  explicit ListCall(Context& context)
+      : context_(context), compiling_(std::exchange(context.list_modes.compiling, false)) {
+    if (compiling_) update_direct_context();
+    ++context_.list_modes.nesting;
+  }
+  ~ListCall() {
+    --context_.list_modes.nesting;
+    context_.list_modes.compiling = compiling_;
+    if (compiling_) update_direct_context();
+  }
+  ListCall(const ListCall&) = delete;
+  ListCall& operator=(const ListCall&) = delete;
+
+ private:
+  Context& context_;
+  const bool compiling_;
+};
 
 void call_list(Context& c, GLuint name) {
   if (c.list_modes.nesting == ListModes::kMaxNesting) return;
   const std::shared_ptr<const DisplayList> list = c.lists.names->find(name);
   if (!list) return;
-  // What a list executes is not recorded again: GL_COMPILE_AND_EXECUTE records the call itself.
-  const bool compiling = std::exchange(c.list_modes.compiling, false);
-  if (compiling) update_direct_context();
-  ++c.list_modes.nesting;
+  const ListCall call(c);
   list->execute(c);
-  --c.list_modes.nesting;
-  c.list_modes.compiling = compiling;
-  if (compiling) update_direct_context();
 }
 
 void list_base(Context& c, GLuint base) {
@@ -98,7 +116,9 @@ GLuint gen_lists(Context& c, GLsizei range) {
     raise_error(c, GL_INVALID_VALUE);
     return 0;
   }
-  return range == 0 ? 0 : c.lists.names->generate(static_cast<GLuint>(range));
+  if (range == 0) return 0;
+  static const auto empty = std::make_shared<const DisplayList>();
+  return c.lists.names->generate(static_cast<GLuint>(range), empty);
 }
 
 void delete_lists(Context& c, GLuint list, GLsizei range) {

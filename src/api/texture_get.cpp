@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <new>
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
@@ -168,18 +167,14 @@ void get_tex_image(Context& c, GLenum target_name, GLint level, GLenum format, G
   if (target->target != kTexture3D) store.skip_images = store.image_height = 0;
   flush_pending(c);
   const ImageSize size{image.width, image.height, image.depth};
-  try {
-    if (words)
-      return pack_words(store, size, c.driver->textures.read_depth_stencil(place),
-                        static_cast<std::byte*>(pixels));
-    std::vector<float> colors = c.driver->textures.read(place);
-    // Luminance is the red component here, and not a sum as glReadPixels has it.
-    if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA)
-      for (std::size_t i = 0; i < colors.size(); i += 4) colors[i + 1] = colors[i + 2] = 0;
-    pack_image(store, size, format, type, colors, static_cast<std::byte*>(pixels));
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  if (words)
+    return pack_words(store, size, c.driver->textures.read_depth_stencil(place),
+                      static_cast<std::byte*>(pixels));
+  std::vector<float> colors = c.driver->textures.read(place);
+  // Luminance is the red component here, and not a sum as glReadPixels has it.
+  if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA)
+    for (std::size_t i = 0; i < colors.size(); i += 4) colors[i + 1] = colors[i + 2] = 0;
+  pack_image(store, size, format, type, colors, static_cast<std::byte*>(pixels));
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 #include "dlist/dispatch.hpp"
 #include "driver/driver_objects.hpp"
 #include "record/pending.hpp"
+#include "submit/prepare.hpp"
 
 using namespace legacy_gl;
 
 namespace {
 
-void bind(Context& c, TextureUnit& unit, const TexturePointer& texture) {
+void bind_to_unit(Context& c, TextureUnit& unit, const TexturePointer& texture) {
   TexturePointer& bound = unit.bound[texture->target];
   // What another context changed shows after binding (GL 2.1 spec D.3).
-  const bool shared = c.texture.names.use_count() > 1;
+  const bool shared = c.texture.shared.use_count() > 1;
   if (bound == texture && !shared) return;
   if (unit.enabled[texture->target]) before_texture_change(c);
   bound = texture;
@@ -20,7 +21,12 @@ void bind(Context& c, TextureUnit& unit, const TexturePointer& texture) {
 void gen_textures(Context& c, GLsizei n, GLuint* names) {
   if (refused_inside(c)) return;
   if (n < 0) return raise_error(c, GL_INVALID_VALUE);
-  if (names) c.texture.names->generate(n, names);
+  for (GLsizei i = 0; names && i < n; ++i) names[i] = c.texture.shared->names.generate(1, nullptr);
+}
+
+TexturePointer find_or_create(SharedTextures& textures, GLuint name, TextureTarget target) {
+  return textures.names.find_or_create(
+      name, [&](bool) { return std::make_shared<TextureObject>(name, target, textures.deleted); });
 }
 
 void bind_texture(Context& c, GLenum name_of_target, GLuint name) {
@@ -28,26 +34,27 @@ void bind_texture(Context& c, GLenum name_of_target, GLuint name) {
   const std::optional<TextureTarget> target = texture_target(name_of_target);
   if (!target) return raise_error(c, GL_INVALID_ENUM);
   const TexturePointer texture =
-      name ? c.texture.names->find_or_create(name, *target) : c.texture.defaults[*target];
+      name ? find_or_create(*c.texture.shared, name, *target) : c.texture.defaults[*target];
   if (texture->target != *target) return raise_error(c, GL_INVALID_OPERATION);
-  bind(c, active_unit(c), texture);
+  bind_to_unit(c, active_unit(c), texture);
 }
 
 void delete_textures(Context& c, GLsizei n, const GLuint* names) {
   if (refused_inside(c)) return;
   if (n < 0) return raise_error(c, GL_INVALID_VALUE);
   for (GLsizei i = 0; names && i < n; ++i) {
-    if (const TexturePointer texture = c.texture.names->find(names[i]))
+    if (const TexturePointer texture = c.texture.shared->names.find(names[i]))
       for (TextureUnit& unit : c.texture.units)
         if (unit.bound[texture->target] == texture)
-          bind(c, unit, c.texture.defaults[texture->target]);
-    if (names[i]) c.texture.names->remove(names[i]);
+          bind_to_unit(c, unit, c.texture.defaults[texture->target]);
+    if (names[i]) c.texture.shared->names.erase(names[i], 1);
   }
+  free_deleted(c);
 }
 
 GLboolean is_texture(Context& c, GLuint name) {
   if (refused_inside(c)) return GL_FALSE;
-  return c.texture.names->find(name) ? GL_TRUE : GL_FALSE;
+  return c.texture.shared->names.find(name) ? GL_TRUE : GL_FALSE;
 }
 
 /// All textures are where the driver keeps them; `residences` is then left alone.
@@ -55,7 +62,7 @@ GLboolean are_textures_resident(Context& c, GLsizei n, const GLuint* names) {
   if (refused_inside(c)) return GL_FALSE;
   bool valid = n >= 0;
   for (GLsizei i = 0; valid && names && i < n; ++i)
-    valid = c.texture.names->find(names[i]) != nullptr;
+    valid = c.texture.shared->names.find(names[i]) != nullptr;
   if (valid) return GL_TRUE;
   raise_error(c, GL_INVALID_VALUE);
   return GL_FALSE;
@@ -68,7 +75,7 @@ void check_count(Context& c, GLsizei n) {
 
 void prioritize(Context& c, GLuint name, float priority) {
   if (c.recorder.inside_begin_end()) return;  // check_count has said it
-  if (const TexturePointer texture = c.texture.names->find(name))
+  if (const TexturePointer texture = c.texture.shared->names.find(name))
     texture->parameters.priority = std::clamp(priority, 0.0f, 1.0f);
 }
 

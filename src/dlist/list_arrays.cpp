@@ -138,6 +138,7 @@ void record_mesh(Context& context, const ArrayViews& views, const VertexLayout& 
 
 void record_arrays(Context& context, const ArrayViews& views, GLenum mode, std::uint32_t first,
                    std::uint32_t count) {
+  if (context.lists.failed) return;
   const ArrayView& positions = views[kVertexArray];
   if (!positions.data || first >= positions.readable) return;
   count = whole_primitives(mode, std::min(count, positions.readable - first));
@@ -151,6 +152,7 @@ void record_arrays(Context& context, const ArrayViews& views, GLenum mode, std::
 
 void record_elements(Context& context, const ArrayViews& views, GLenum mode,
                      const ElementView& elements) {
+  if (context.lists.failed) return;
   const std::uint32_t count = whole_primitives(mode, elements.count);
   if (count == 0 || !views[kVertexArray].data) return;
   std::vector<std::uint32_t> indices;

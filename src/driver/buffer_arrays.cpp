@@ -22,14 +22,14 @@ void BufferArrays::clear() {
 }
 
 std::size_t BufferArrays::Hash::operator()(const BufferAttributes& key) const noexcept {
-  std::uint64_t hash = key.index_buffer;
+  std::uint64_t hash = key.index_buffer ^ key.index_serial << 32;
   const auto mix = [&hash](std::uint64_t value) {
     hash = (hash ^ value) * 0x9e3779b97f4a7c15u;
     hash ^= hash >> 32;
   };
   for (unsigned i = 0; i < key.count; ++i) {
     const BufferAttribute& attribute = key.attributes[i];
-    mix(std::uint64_t{attribute.buffer} << 32 | attribute.type << 8 | attribute.location);
+    mix(attribute.serial << 32 | attribute.type << 8 | attribute.location);
     mix(static_cast<std::uint64_t>(attribute.stride) << 3 | static_cast<unsigned>(attribute.size));
     mix(reinterpret_cast<std::uintptr_t>(attribute.offset));
   }
@@ -58,13 +58,13 @@ GLuint BufferArrays::build(const BufferAttributes& wanted) {
   return array;
 }
 
-void BufferArrays::forget(GLuint buffer) {
+void BufferArrays::forget(std::uint64_t buffer) {
   for (auto at = arrays_.begin(); at != arrays_.end();) {
     const BufferAttributes& key = at->first;
     const auto end = key.attributes.begin() + key.count;
-    const bool refers = key.index_buffer == buffer ||
+    const bool refers = key.index_serial == buffer ||
                         std::any_of(key.attributes.begin(), end, [buffer](const auto& attribute) {
-                          return attribute.buffer == buffer;
+                          return attribute.serial == buffer;
                         });
     if (refers) driver_.DeleteVertexArrays(1, &at->second);
     at = refers ? arrays_.erase(at) : std::next(at);

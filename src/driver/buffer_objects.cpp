@@ -1,6 +1,7 @@
 #include "driver/buffer_objects.hpp"
 
 #include <cstring>
+#include <utility>
 
 #include "driver/debug_labels.hpp"
 
@@ -19,15 +20,15 @@ GLbitfield map_bits(GLenum access) {
   }
 }
 
-}  // namespace
-
-BufferObjects::~BufferObjects() {
-  for (const auto& [name, buffer] : objects_)
-    if (buffer.driver_name) driver_.DeleteBuffers(1, &buffer.driver_name);
+void changed(BufferObject& buffer) {
+  buffer.version = BufferObject::next_number();
+  buffer.contents = nullptr;
 }
 
+}  // namespace
+
 void BufferObjects::bind(const BufferObject& buffer) {
-  driver_.BindBuffer(kTarget, buffer.driver_name);
+  driver_.BindBuffer(kTarget, buffer.driver_name.get());
 }
 
 void BufferObjects::generate(GLsizei count, GLuint* names) {
@@ -35,49 +36,50 @@ void BufferObjects::generate(GLsizei count, GLuint* names) {
     GLuint name = 0;
     // A name that the application chose itself may be the driver's next: that one is passed over.
     do driver_.GenBuffers(1, &name);
-    while (name && objects_.contains(name));
-    objects_[name].driver_name = 0;
+    while (name && shared_->names.contains(name));
+    if (name) shared_->names.store(name, nullptr);
     names[i] = name;
   }
 }
 
-BufferObject& BufferObjects::find_or_create(GLuint name) {
-  const auto [at, is_foreign] = objects_.try_emplace(name);
-  BufferObject& buffer = at->second;
-  if (buffer.driver_name == 0) {
-    if (is_foreign) driver_.GenBuffers(1, &buffer.driver_name);
-    else buffer.driver_name = name;
-    buffer.version = ++last_version_;
-  }
-  return buffer;
-}
-
-BufferObject* BufferObjects::find(GLuint name) {
-  const auto at = objects_.find(name);
-  return at == objects_.end() || at->second.driver_name == 0 ? nullptr : &at->second;
+BufferPointer BufferObjects::find_or_create(GLuint name) {
+  return shared_->names.find_or_create(name, [&](bool reserved) {
+    auto buffer = std::make_shared<BufferObject>(name, shared_->deleted);
+    buffer->driver_name.get_or_make([&] {
+      GLuint made = name;
+      if (!reserved) driver_.GenBuffers(1, &made);
+      return made;
+    });
+    return buffer;
+  });
 }
 
 void BufferObjects::remove(GLuint name) {
-  const auto at = objects_.find(name);
-  if (at == objects_.end()) return;
-  const GLuint driver_name = at->second.driver_name ? at->second.driver_name : name;
-  driver_.DeleteBuffers(1, &driver_name);
-  objects_.erase(at);
+  if (!shared_->names.find(name) && shared_->names.contains(name)) driver_.DeleteBuffers(1, &name);
+  if (shared_->names.erase(name, 1)) {
+    ++shared_->deletions;
+    ++seen_deletions_;
+  }
+  free_deleted();
+}
+
+bool BufferObjects::deleted_elsewhere() {
+  const std::uint64_t deletions = shared_->deletions;
+  return std::exchange(seen_deletions_, deletions) != deletions;
 }
 
 bool BufferObjects::set_data(BufferObject& buffer, GLsizeiptr size, const void* data,
                              GLenum usage) {
   bind(buffer);
-  while (driver_.GetError() != GL_NO_ERROR) {
-  }
+  forget_errors(driver_);
   driver_.BufferData(kTarget, size, data, usage);
   const bool stored = driver_.GetError() == GL_NO_ERROR;
-  if (stored) label(driver_, GL_BUFFER, buffer.driver_name, "buffer object");
+  if (stored) label(driver_, GL_BUFFER, buffer.driver_name.get(), "buffer object");
   buffer.size = stored ? size : 0;
   buffer.usage = usage;
   buffer.access = GL_READ_WRITE;
   buffer.mapped = nullptr;
-  buffer.version = ++last_version_;
+  changed(buffer);
   return stored;
 }
 
@@ -85,7 +87,12 @@ void BufferObjects::set_sub_data(BufferObject& buffer, GLintptr offset, GLsizeip
                                  const void* data) {
   bind(buffer);
   driver_.BufferSubData(kTarget, offset, size, data);
-  buffer.version = ++last_version_;
+  buffer.version = BufferObject::next_number();
+  // A program that changes a part before each draw is to pay for that part alone.
+  if (!buffer.contents) return;
+  if (buffer.contents.use_count() > 1)
+    buffer.contents = std::make_shared<BufferObject::Contents>(*buffer.contents);
+  std::memcpy(buffer.contents->data() + offset, data, static_cast<std::size_t>(size));
 }
 
 bool BufferObjects::get_sub_data(BufferObject& buffer, GLintptr offset, GLsizeiptr size,
@@ -107,21 +114,24 @@ void* BufferObjects::map(BufferObject& buffer, GLenum access) {
 
 bool BufferObjects::unmap(BufferObject& buffer) {
   bind(buffer);
-  if (buffer.access != GL_READ_ONLY) buffer.version = ++last_version_;
+  if (buffer.access != GL_READ_ONLY) changed(buffer);
   buffer.mapped = nullptr;
   buffer.access = GL_READ_WRITE;
   return driver_.UnmapBuffer(kTarget) != GL_FALSE;
 }
 
-const void* BufferObjects::map_for_reading(const BufferObject& buffer) {
-  if (buffer.size == 0) return nullptr;
+std::shared_ptr<const BufferObject::Contents> BufferObjects::read(BufferObject& buffer) {
+  const std::lock_guard lock(buffer.reading);
+  if (buffer.contents || buffer.size == 0) return buffer.contents;
+  const auto size = static_cast<std::size_t>(buffer.size);
+  auto contents = std::make_shared<BufferObject::Contents>(size);
   bind(buffer);
-  return driver_.MapBufferRange(kTarget, 0, buffer.size, GL_MAP_READ_BIT);
-}
-
-void BufferObjects::unmap_after_reading(const BufferObject& buffer) {
-  bind(buffer);
-  driver_.UnmapBuffer(kTarget);
+  const void* const source = driver_.MapBufferRange(kTarget, 0, buffer.size, GL_MAP_READ_BIT);
+  if (!source) return nullptr;
+  std::memcpy(contents->data(), source, size);
+  // The contents were lost while they were mapped: they are read again at the next draw.
+  if (driver_.UnmapBuffer(kTarget) != GL_FALSE) buffer.contents = contents;
+  return contents;
 }
 
 }  // namespace legacy_gl

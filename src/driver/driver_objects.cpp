@@ -44,11 +44,18 @@ bool DriverObjects::bind_program(GLuint program) {
 }
 
 void DriverObjects::delete_buffer(GLuint name) {
-  if (const BufferObject* const buffer = buffers.find(name)) {
-    buffer_arrays.forget(buffer->driver_name);
+  if (const BufferPointer buffer = buffers.find(name)) {
+    buffer_arrays.forget(buffer->serial);
     bound_array = 0;
   }
   buffers.remove(name);
+}
+
+void DriverObjects::free_deleted() {
+  const bool stale = buffers.deleted_elsewhere();
+  if (stale) buffer_arrays.clear();
+  if (meshes.free_deleted() || stale) bound_array = 0;  // it may be one of those
+  buffers.free_deleted();
 }
 
 void DriverObjects::forget_bindings() {

@@ -26,6 +26,8 @@ struct DriverObjects {
   bool bind_program(GLuint program);
   /// Deletes the application's buffer object, and what refers to it.
   void delete_buffer(GLuint name);
+  /// Deletes the driver's objects of lists and buffers that are gone.
+  void free_deleted();
   /// Others have used the driver: nothing is known to be bound.
   void forget_bindings();
 

@@ -12,33 +12,40 @@ void MeshBuffers::erase(const Entry& entry) {
   driver_.DeleteBuffers(1, &entry.index_buffer);
 }
 
-void MeshBuffers::erase_expired() {
-  std::erase_if(entries_, [this](const auto& item) {
-    if (!item.second.mesh.expired()) return false;
-    erase(item.second);
-    return true;
+bool MeshBuffers::free_deleted() {
+  bool any = false;
+  deleted_->collect([&](int, const ListMesh* const* mesh) {
+    const auto at = entries_.find(*mesh);
+    // A new mesh may lie where a deleted one was.
+    if (at == entries_.end() || !at->second.mesh.expired()) return;
+    erase(at->second);
+    entries_.erase(at);
+    any = true;
   });
-  sweep_at_ = 2 * entries_.size() + 64;
+  return any;
 }
 
 MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool& uploaded) {
   const auto at = entries_.find(&mesh);
-  if (at != entries_.end() && !at->second.mesh.expired()) return at->second;
+  if (at != entries_.end() && at->second.stored && !at->second.mesh.expired()) return at->second;
   uploaded = true;
-  if (at != entries_.end()) {  // a new mesh where a deleted one was
+  if (at != entries_.end()) {  // a new mesh where a deleted one was, or no memory was there
     erase(at->second);
     entries_.erase(at);
   }
-  if (entries_.size() >= sweep_at_) erase_expired();
+  free_deleted();
 
-  Entry entry;
+  Entry& entry = entries_[&mesh];
   entry.mesh = mesh.weak_from_this();
+  mesh.deletion_notices.give_to(deleted_, &mesh);
+  forget_errors(driver_);
   entry.vertex_buffer = build_buffer(driver_, GL_ARRAY_BUFFER, mesh.vertices.data(),
                                      mesh.vertices.size() * sizeof(float));
   entry.index_buffer = build_buffer(driver_, GL_COPY_WRITE_BUFFER, mesh.indices.data(),
                                     mesh.indices.size() * sizeof(std::uint32_t));
   entry.array = build_vertex_array(driver_, mesh.layout, entry.vertex_buffer, entry.index_buffer);
-  return entries_.emplace(&mesh, std::move(entry)).first->second;
+  entry.stored = driver_.GetError() == GL_NO_ERROR;
+  return entry;
 }
 
 }  // namespace legacy_gl

@@ -94,8 +94,7 @@ bool Textures::define(const ImagePlace& place, const TextureImage& image, const 
   if (image.format.base == BaseFormat::kDepth) type = Texels::Type::kDepths;
   if (texels) type = texels->type;
   const void* const data = texels ? texels->data.data() : nullptr;
-  while (driver_.GetError() != GL_NO_ERROR) {
-  }
+  forget_errors(driver_);
   const Transfer transfer = transfer_of(image.format, type);
   if (place.texture.target == kTexture3D)
     driver_.TexImage3D(GL_TEXTURE_3D, place.level, storage, image.width, image.height, image.depth,
@@ -115,8 +114,7 @@ bool Textures::define_compressed(const ImagePlace& place, const TextureImage& im
   place.texture.images.at(place.face, place.level) = image;
   place.texture.parameters_stale = true;
   const std::vector<std::byte> blank(data ? 0 : static_cast<std::size_t>(bytes));
-  while (driver_.GetError() != GL_NO_ERROR) {
-  }
+  forget_errors(driver_);
   driver_.CompressedTexImage2D(image_target(place), place.level,
                                static_cast<GLenum>(image.internal_format), image.width,
                                image.height, 0, bytes, data ? data : blank.data());
@@ -224,10 +222,10 @@ std::vector<float> Textures::read_from_framebuffer(const ImagePlace& place,
   for (GLint z = 0; z < image.depth; ++z) {
     if (place.texture.target == kTexture3D)
       driver_.FramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
-                                      place.texture.driver_name, place.level, z);
+                                      place.texture.driver_name.get(), place.level, z);
     else
       driver_.FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, image_target(place),
-                                   place.texture.driver_name, place.level);
+                                   place.texture.driver_name.get(), place.level);
     driver_.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     for (std::size_t i = 0; i < slice; ++i)
       for (unsigned c = 0; c < components; ++c)

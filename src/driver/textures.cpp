@@ -50,14 +50,16 @@ void Textures::select_unit(unsigned unit) {
 
 void Textures::bind_unit(unsigned unit, TextureObject& texture) {
   select_unit(unit);
-  const bool is_new = !texture.driver_name;
-  if (is_new) {
-    driver_.GenTextures(1, &texture.driver_name);
-    texture.delete_driver_texture = driver_.DeleteTextures;
-  }
-  driver_.BindTexture(driver_target(texture.target), texture.driver_name);
+  bool is_new = false;
+  const GLuint name = texture.driver_name.get_or_make([this, &is_new] {
+    GLuint made = 0;
+    driver_.GenTextures(1, &made);
+    is_new = true;
+    return made;
+  });
+  driver_.BindTexture(driver_target(texture.target), name);
   if (is_new && driver_.ObjectLabel)
-    label(driver_, GL_TEXTURE, texture.driver_name, "texture " + std::to_string(texture.name));
+    label(driver_, GL_TEXTURE, name, "texture " + std::to_string(texture.name));
   bound_[unit] = texture.serial;
 }
 
@@ -71,7 +73,7 @@ void Textures::bind(const ActiveTextures& active) {
     TextureObject* const texture = active.textures[unit];
     if (!texture) continue;
     if (bound_[unit] != texture->serial) bind_unit(unit, *texture);
-    if (!texture->parameters_stale) continue;
+    if (!texture->parameters_stale.load(std::memory_order_relaxed)) continue;
     if (active_unit_ != unit) bind_unit(unit, *texture);
     apply_parameters(*texture);
   }
@@ -114,7 +116,7 @@ void Textures::apply_parameters(TextureObject& texture) {
 GLuint Textures::driver_name(TextureObject& texture) {
   bind_to_change(texture);
   if (texture.parameters_stale && texture.complete()) apply_parameters(texture);
-  return texture.driver_name;
+  return texture.driver_name.get();
 }
 
 GLint Textures::largest_size(TextureTarget target) const {

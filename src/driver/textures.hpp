@@ -33,6 +33,7 @@ class Textures {
   /// Binds what the units draw with, its parameters up to date.
   void bind(const ActiveTextures& active);
   void forget_bindings();
+  void free_deleted(DeletedNames& names) { names.collect(driver_.DeleteTextures); }
   /// Makes a unit active for what is not a texture object.
   void select_unit(unsigned unit);
 

@@ -67,7 +67,7 @@ void restore_textures(Context& context, const TextureGroup& saved) {
     for (unsigned target = 0; target < kTextureTargetCount; ++target) {
       TexturePointer& bound = context.texture.units[unit].bound[target];
       const TextureParameters& parameters = saved.parameters[unit][target];
-      const bool deleted = bound->name && context.texture.names->find(bound->name) != bound;
+      const bool deleted = bound->name && context.texture.shared->names.find(bound->name) != bound;
       if (!deleted && bound->parameters == parameters) continue;
       before_texture_change(context);
       if (deleted) {
@@ -90,13 +90,16 @@ void restore_current(Context& context, const CurrentValues& saved) {
 
 /// A buffer object that was deleted since the push does not come back.
 void forget_deleted_buffers(Context& context) {
-  BufferObjects& buffers = context.driver->buffers;
+  const BufferObjects& buffers = context.driver->buffers;
   ClientArrays& arrays = context.arrays;
-  if (!buffers.find(arrays.array_buffer)) arrays.array_buffer = 0;
-  if (!buffers.find(arrays.element_buffer)) arrays.element_buffer = 0;
+  const auto is_deleted = [&buffers](const BufferPointer& buffer) {
+    return buffer && buffers.find(buffer->name) != buffer;
+  };
+  if (is_deleted(arrays.array_buffer)) arrays.array_buffer = nullptr;
+  if (is_deleted(arrays.element_buffer)) arrays.element_buffer = nullptr;
   for (ClientArray& array : arrays.arrays) {
-    if (!array.buffer || buffers.find(array.buffer)) continue;
-    array.buffer = 0;
+    if (!is_deleted(array.buffer)) continue;
+    array.buffer = nullptr;
     array.buffer_deleted = true;
   }
 }

@@ -1,4 +1,5 @@
 // What glGet answers about client arrays and buffer bindings (GL 2.1 spec tables 6.6 to 6.9).
+#include "driver/buffer_objects.hpp"
 #include "execute/queries.hpp"
 
 namespace legacy_gl {
@@ -12,6 +13,8 @@ const ClientArray& array_of(const Context& c) {
   constexpr bool kPerUnit = kArray == kTexCoordArray;
   return c.arrays.arrays[kArray + (kPerUnit ? c.client_active_texture : 0)];
 }
+
+GLuint name_of(const BufferPointer& buffer) { return buffer ? buffer->name : 0; }
 
 template <ArrayIndex kArray>
 void size(Context& c, QueryValues& v) {
@@ -27,7 +30,7 @@ void stride(Context& c, QueryValues& v) {
 }
 template <ArrayIndex kArray>
 void buffer(Context& c, QueryValues& v) {
-  v.put(array_of<kArray>(c).buffer);
+  v.put(name_of(array_of<kArray>(c).buffer));
 }
 constexpr Query kForms[] = {
     {GL_VERTEX_ARRAY_SIZE, kInteger, size<kVertexArray>},
@@ -53,9 +56,9 @@ constexpr Query kForms[] = {
 
 constexpr Query kBindings[] = {
     {GL_ARRAY_BUFFER_BINDING, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.arrays.array_buffer); }},
+     [](Context& c, QueryValues& v) { v.put(name_of(c.arrays.array_buffer)); }},
     {GL_ELEMENT_ARRAY_BUFFER_BINDING, kInteger,
-     [](Context& c, QueryValues& v) { v.put(c.arrays.element_buffer); }},
+     [](Context& c, QueryValues& v) { v.put(name_of(c.arrays.element_buffer)); }},
     {GL_VERTEX_ARRAY_BUFFER_BINDING, kInteger, buffer<kVertexArray>},
     {GL_NORMAL_ARRAY_BUFFER_BINDING, kInteger, buffer<kNormalArray>},
     {GL_COLOR_ARRAY_BUFFER_BINDING, kInteger, buffer<kColorArray>},

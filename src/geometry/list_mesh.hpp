@@ -6,6 +6,7 @@
 
 #include "geometry/primitive_run.hpp"
 #include "geometry/vertex_layout.hpp"
+#include "state/deleted_names.hpp"
 
 namespace legacy_gl {
 
@@ -42,6 +43,9 @@ struct ListMesh : std::enable_shared_from_this<ListMesh> {
   bool unit_normals = false;        ///< it has, and each is a unit vector as float32 rounds one
   bool tiny_normals = false;        ///< some may be too short for the driver (tiny_normals.hpp)
   float largest_color = 0;          ///< component of its colours, where it has them
+
+  /// Contexts that keep the mesh in their driver learn when it is gone.
+  mutable DeletionNotices<const ListMesh*> deletion_notices;
 
   /// Makes `draws` of `runs`.
   void draw_runs();

@@ -31,8 +31,8 @@ struct DropInContext {
   bool refused = false;               ///< ours could not be made
   std::atomic<bool> current = false;  ///< in some thread
   bool accumulation_buffer = false;
-  bool forgotten = false;  ///< the program destroyed it
-  Shared self;             ///< while it is current
+  std::atomic<bool> forgotten = false;  ///< the program destroyed it
+  Shared self;                          ///< while it is current
 };
 
 std::mutex mutex;
@@ -94,7 +94,6 @@ void enter(const Shared& next, legacy_gl_loader loader) {
   current = next.get();
   if (!next) return;
   next->self = next;
-  next->current = true;
   const bool is_new = !next->ours && !next->refused;
   if (is_new) make_ours(*next, loader);
   if (!next->ours) return;
@@ -126,9 +125,10 @@ bool switch_to(DriverContext next, legacy_gl_loader loader,
   const Shared found = next ? find(next) : nullptr;
   legacy_gl_flush();
   if (found && found.get() == current) return make_current();  // another surface at most
-  if (found && found->current) return false;                   // in another thread
+  if (found && found->current.exchange(true)) return false;    // in another thread
   leave_current();
   if (!make_current()) {
+    if (found) found->current = false;
     if (current && current->ours) legacy_gl_make_current(current->ours);
     return false;
   }

@@ -1,11 +1,14 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <memory>
 
 #include "state/current.hpp"
 #include "state/gl_types.hpp"
 
 namespace legacy_gl {
+
+struct BufferObject;
 
 /// The client arrays of GL 1.5 (GL 2.1 spec 2.8), and where each is kept.
 enum ArrayIndex : unsigned {
@@ -27,7 +30,7 @@ struct ClientArray {
   GLenum type = GL_FLOAT;
   GLsizei stride = 0;             ///< as given: 0 stands for tightly packed
   const void* pointer = nullptr;  ///< an address, or an offset in bytes into `buffer`
-  GLuint buffer = 0;
+  std::shared_ptr<BufferObject> buffer;
   bool buffer_deleted = false;  ///< `pointer` is an offset into a buffer object that is gone
   bool operator==(const ClientArray&) const = default;
 };
@@ -36,8 +39,8 @@ struct ClientArrays {
   ClientArrays();
 
   std::array<ClientArray, kArrayCount> arrays;
-  GLuint array_buffer = 0;
-  GLuint element_buffer = 0;
+  std::shared_ptr<BufferObject> array_buffer;
+  std::shared_ptr<BufferObject> element_buffer;
   bool operator==(const ClientArrays&) const = default;
 };
 

@@ -22,23 +22,12 @@ std::uint32_t elements_in(std::size_t bytes, std::size_t size, std::size_t strid
 
 }  // namespace
 
-ReadableArrays::~ReadableArrays() {
-  BufferObjects& buffers = context_.driver->buffers;
-  for (unsigned i = 0; i < mapping_count_; ++i)
-    if (mappings_[i].data) buffers.unmap_after_reading(*buffers.find(mappings_[i].name));
-}
-
-const ReadableArrays::Mapping& ReadableArrays::map(GLuint name) {
-  for (unsigned i = 0; i < mapping_count_; ++i)
-    if (mappings_[i].name == name) return mappings_[i];
-  Mapping& mapping = mappings_[mapping_count_++];
-  mapping.name = name;
-  BufferObjects& buffers = context_.driver->buffers;
-  if (const BufferObject* const buffer = buffers.find(name)) {
-    mapping.data = static_cast<const std::byte*>(buffers.map_for_reading(*buffer));
-    mapping.size = mapping.data ? static_cast<std::size_t>(buffer->size) : 0;
-  }
-  return mapping;
+std::span<const std::byte> ReadableArrays::read(BufferObject& buffer) {
+  Contents contents = context_.driver->buffers.read(buffer);
+  if (!contents) return {};
+  const std::span<const std::byte> bytes(*contents);
+  contents_[contents_count_++] = std::move(contents);
+  return bytes;
 }
 
 const ArrayViews& ReadableArrays::views() {
@@ -51,11 +40,11 @@ const ArrayViews& ReadableArrays::views() {
         views_[i] = make_view(array, static_cast<const std::byte*>(array.pointer));
       continue;
     }
-    const Mapping& mapping = map(array.buffer);
+    const std::span<const std::byte> bytes = read(*array.buffer);
     const std::size_t offset = reinterpret_cast<std::uintptr_t>(array.pointer);
-    const bool inside = mapping.data && offset < mapping.size;
-    ArrayView& view = views_[i] = make_view(array, inside ? mapping.data + offset : &kNothing);
-    view.readable = elements_in(inside ? mapping.size - offset : 0,
+    const bool inside = offset < bytes.size();
+    ArrayView& view = views_[i] = make_view(array, inside ? bytes.data() + offset : &kNothing);
+    view.readable = elements_in(inside ? bytes.size() - offset : 0,
                                 std::size_t{view.size} * type_size(view.type), view.stride);
   }
   return views_;
@@ -63,22 +52,18 @@ const ArrayViews& ReadableArrays::views() {
 
 ElementView ReadableArrays::elements(const ArrayDraw& draw) {
   const GLenum type = draw.element_type;
-  const GLuint name = context_.arrays.element_buffer;
-  if (!name)
+  if (!context_.arrays.element_buffer)
     return {static_cast<const std::byte*>(draw.elements), type, draw.elements ? draw.count : 0};
-  const Mapping& mapping = map(name);
+  const std::span<const std::byte> bytes = read(*context_.arrays.element_buffer);
   const std::size_t offset = reinterpret_cast<std::uintptr_t>(draw.elements);
-  if (!mapping.data || offset >= mapping.size) return {nullptr, type, 0};
+  if (offset >= bytes.size()) return {nullptr, type, 0};
   const unsigned size = type_size(type);
-  return {mapping.data + offset, type,
-          std::min(draw.count, elements_in(mapping.size - offset, size, size))};
+  return {bytes.data() + offset, type,
+          std::min(draw.count, elements_in(bytes.size() - offset, size, size))};
 }
 
 bool draws_from_mapped_buffer(Context& context, bool elements) {
-  const auto is_mapped = [&context](GLuint name) {
-    const BufferObject* const buffer = name ? context.driver->buffers.find(name) : nullptr;
-    return buffer && buffer->mapped;
-  };
+  const auto is_mapped = [](const BufferPointer& buffer) { return buffer && buffer->mapped; };
   for (const ClientArray& array : context.arrays.arrays)
     if (array.enabled && is_mapped(array.buffer)) return true;
   return elements && is_mapped(context.arrays.element_buffer);

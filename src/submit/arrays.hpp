@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <span>
 
+#include "driver/buffer_objects.hpp"
 #include "record/array_submit.hpp"
 #include "record/pending.hpp"
 
@@ -21,12 +23,10 @@ struct ArrayDraw {
   bool operator==(const ArrayDraw&) const = default;
 };
 
-/// The enabled arrays and the bound elements in memory, for as long as this lives: buffer objects
-/// are mapped.
+/// The enabled arrays and the bound elements in memory, for as long as this lives.
 class ReadableArrays {
  public:
   explicit ReadableArrays(legacy_gl_context& context) : context_(context) {}
-  ~ReadableArrays();
   ReadableArrays(const ReadableArrays&) = delete;
   ReadableArrays& operator=(const ReadableArrays&) = delete;
 
@@ -35,17 +35,14 @@ class ReadableArrays {
   ElementView elements(const ArrayDraw& draw);
 
  private:
-  struct Mapping {
-    GLuint name = 0;
-    const std::byte* data = nullptr;
-    std::size_t size = 0;
-  };
-  const Mapping& map(GLuint name);
+  using Contents = std::shared_ptr<const BufferObject::Contents>;
+  /// Nothing when the driver does not give them.
+  std::span<const std::byte> read(BufferObject& buffer);
 
   legacy_gl_context& context_;
   ArrayViews views_;
-  std::array<Mapping, kArrayCount + 1> mappings_;
-  unsigned mapping_count_ = 0;
+  std::array<Contents, kArrayCount + 1> contents_;
+  unsigned contents_count_ = 0;
 };
 
 /// An enabled array, or with `elements` the element array, is in a buffer that the application has

@@ -69,7 +69,7 @@ std::optional<BufferAttributes> find_attributes(Context& context, const VertexLa
   for_each_source(layout, [&](const Source& source) {
     const ClientArray& array = context.arrays.arrays[source.array];
     if (!array.enabled || !drawable) return;
-    const BufferObject* const buffer = context.driver->buffers.find(array.buffer);
+    const BufferObject* const buffer = array.buffer.get();
     drawable = buffer && driver_fetches(context.driver->functions, source.array, array.type);
     if (!drawable) return;
     const ArrayView view = make_view(array, nullptr);
@@ -79,8 +79,8 @@ std::optional<BufferAttributes> find_attributes(Context& context, const VertexLa
     // What a draw reads past the end is the driver's business, and not every driver's is harmless.
     drawable = draw.is_indexed() || end <= static_cast<std::uint64_t>(buffer->size);
     if (!drawable) return;
-    found.add({source.location, buffer->driver_name, array.size, array.type, array.stride,
-               is_normalised(source.array), array.pointer});
+    found.add({source.location, buffer->driver_name.get(), buffer->serial, array.size, array.type,
+               array.stride, is_normalised(source.array), array.pointer});
   });
   if (!drawable) return {};
   return found;
@@ -127,7 +127,7 @@ VertexLayout layout_of_arrays(const Context& context) {
 }
 
 const BufferObject* element_buffer(Context& context, const ArrayDraw& draw) {
-  return draw.is_indexed() ? context.driver->buffers.find(context.arrays.element_buffer) : nullptr;
+  return draw.is_indexed() ? context.arrays.element_buffer.get() : nullptr;
 }
 
 }  // namespace
@@ -153,8 +153,10 @@ void draw_arrays_direct(Context& context, const ArrayDraw& draw, DirectArrays ar
   if (draw.is_indexed() && !elements && !draw.elements) return;
   prepare(context, arrays.layout);
   if (!use_program(context, draw.mode, draw.count)) return;
+  const bool indices_lie_there = elements && native;
   arrays.attributes.index_buffer =
-      elements && native ? elements->driver_name : objects.index_stream.name();
+      indices_lie_there ? elements->driver_name.get() : objects.index_stream.name();
+  arrays.attributes.index_serial = indices_lie_there ? elements->serial : 0;
   context.driver->bind_vertex_array(objects.buffer_arrays.find_or_build(arrays.attributes));
   set_constant_attributes(context, arrays.layout);
 

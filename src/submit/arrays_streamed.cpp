@@ -25,6 +25,7 @@ std::optional<std::uint32_t> stream_vertices(Context& context, const ArrayGather
   const std::uint32_t count = range.highest - range.lowest + 1;
   const std::size_t stride = gather.stride() * sizeof(float);
   std::size_t offset = 0;
+  submission.floats.resize(ArrayGather::kBlockVertices * gather.stride());
   auto* to = static_cast<std::byte*>(objects.vertex_stream.map(count * stride, stride, offset));
   if (!to) return {};
   if (gather.writes_in_order()) {
@@ -32,7 +33,6 @@ std::optional<std::uint32_t> stream_vertices(Context& context, const ArrayGather
   } else {
     // A block at a time: the driver's memory may be write-combined, where fields one by one are
     // slow.
-    submission.floats.resize(ArrayGather::kBlockVertices * gather.stride());
     for (std::uint32_t done = 0; done < count;) {
       const std::uint32_t block = std::min(ArrayGather::kBlockVertices, count - done);
       gather(range.lowest + done, block, submission.floats.data());

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "state/deleted_names.hpp"
 #include "texture/texture_format.hpp"
 
 namespace legacy_gl {
@@ -77,15 +78,8 @@ class TextureImages {
 /// height 1 to the driver.
 class TextureObject {
  public:
-  using Delete = void(LEGACY_GL_APIENTRY*)(GLsizei count, const GLuint* driver_names);
-
-  TextureObject(GLuint own_name, TextureTarget own_target)
-      : name(own_name), target(own_target), images(own_target) {}
-  ~TextureObject() {
-    if (driver_name) delete_driver_texture(1, &driver_name);
-  }
-  TextureObject(const TextureObject&) = delete;
-  TextureObject& operator=(const TextureObject&) = delete;
+  TextureObject(GLuint own_name, TextureTarget own_target, std::shared_ptr<DeletedNames> deleted)
+      : name(own_name), target(own_target), images(own_target), driver_name(std::move(deleted)) {}
 
   const GLuint name;
   const TextureTarget target;
@@ -94,10 +88,10 @@ class TextureObject {
 
   const std::uint64_t serial = next_serial();  ///< of no other texture in the process
 
-  // The backend's side.
-  GLuint driver_name = 0;
-  Delete delete_driver_texture = nullptr;
-  bool parameters_stale = true;  ///< the driver does not have `parameters` yet
+  DriverName driver_name;
+  /// The driver does not have `parameters` yet. Contexts that draw with the texture, each in its
+  /// thread, find that out for themselves.
+  std::atomic<bool> parameters_stale = true;
 
   bool complete() const { return images.complete(parameters); }
   BaseFormat base() const { return images.at(0, base_level()).format.base; }

@@ -45,7 +45,8 @@ TextureState::TextureState()
     : proxies{TextureImages(kTexture1D), TextureImages(kTexture2D), TextureImages(kTexture3D),
               TextureImages(kTextureCube)} {
   for (unsigned target = 0; target < kTextureTargetCount; ++target)
-    defaults[target] = std::make_shared<TextureObject>(0, static_cast<TextureTarget>(target));
+    defaults[target] =
+        std::make_shared<TextureObject>(0, static_cast<TextureTarget>(target), deleted_defaults);
   for (TextureUnit& unit : units) unit.bound = defaults;
 }
 

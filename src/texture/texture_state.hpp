@@ -3,10 +3,19 @@
 #include <memory>
 
 #include "state/current.hpp"
+#include "state/shared_names.hpp"
 #include "texture/texture_environment.hpp"
-#include "texture/texture_names.hpp"
+#include "texture/texture_object.hpp"
 
 namespace legacy_gl {
+
+using TexturePointer = std::shared_ptr<TextureObject>;
+
+/// A texture that is deleted lives on where another context has it bound (GL 2.1 spec D.3).
+struct SharedTextures {
+  SharedNames<TextureObject> names;
+  std::shared_ptr<DeletedNames> deleted = std::make_shared<DeletedNames>();
+};
 
 /// GL 2.1 spec tables 6.16, 6.20 to 6.22: what one texture unit has.
 struct TextureUnit {
@@ -30,7 +39,8 @@ struct ActiveTextures {
 struct TextureState {
   TextureState();
 
-  std::shared_ptr<TextureNames> names = std::make_shared<TextureNames>();
+  std::shared_ptr<SharedTextures> shared = std::make_shared<SharedTextures>();
+  std::shared_ptr<DeletedNames> deleted_defaults = std::make_shared<DeletedNames>();
   /// What name 0 means for each target (GL 2.1 spec 3.8.12).
   std::array<TexturePointer, kTextureTargetCount> defaults;
   std::array<TextureUnit, kMaxTextureUnits> units;

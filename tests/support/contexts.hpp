@@ -88,11 +88,17 @@ inline legacy_gl_options test_options(legacy_gl_options options) {
   return options;
 }
 
+class CoreContext;
+struct CoreDriver {
+  legacy_gl_loader loader = nullptr;    // nullptr: OSMesa's own
+  const CoreContext* shares = nullptr;  // with which the driver's context shares objects, and ours
+};
+
 // legacy_gl over an OSMesa core profile 3.3 context.
 class CoreContext final : public RenderContext {
  public:
   CoreContext(int width, int height, PixelFormat color_format = PixelFormat::rgba8,
-              const legacy_gl_options& options = {});
+              const legacy_gl_options& options = {}, const CoreDriver& driver = {});
   ~CoreContext() override;
   Image read() override;
   legacy_gl_context* handle() const;

@@ -7,14 +7,17 @@ namespace legacy_gl::test {
 
 struct CoreContext::Data {
   legacy_gl_options options;
+  CoreDriver driver;
   std::unique_ptr<OsmesaContext> osmesa;
   std::unique_ptr<OwnedContext> context;
 };
 
 CoreContext::CoreContext(int width, int height, PixelFormat color_format,
-                         const legacy_gl_options& options)
+                         const legacy_gl_options& options, const CoreDriver& driver)
     : RenderContext(width, height, color_format),
-      data_(std::make_unique<Data>(Data{test_options(options), nullptr, nullptr})) {
+      data_(std::make_unique<Data>(Data{test_options(options), driver, nullptr, nullptr})) {
+  if (!data_->driver.loader) data_->driver.loader = OSMesaGetProcAddress;
+  if (driver.shares) data_->options.share = driver.shares->handle();
   gl = load_gl_functions(legacy_gl_get_proc_address);
   create();
   make_current();
@@ -27,7 +30,9 @@ legacy_gl_context* CoreContext::handle() const { return data_->context->get(); }
 legacy_gl_proc CoreContext::driver_proc(const char* name) { return OSMesaGetProcAddress(name); }
 
 void CoreContext::create() {
-  data_->osmesa = std::make_unique<OsmesaContext>(width(), height(), color_format(), Profile::core);
+  const CoreContext* const shares = data_->driver.shares;
+  data_->osmesa = std::make_unique<OsmesaContext>(width(), height(), color_format(), Profile::core,
+                                                  shares ? shares->data_->osmesa.get() : nullptr);
 }
 
 void CoreContext::destroy() {
@@ -40,7 +45,7 @@ void CoreContext::bind() {
   data_->osmesa->bind();
   // Here rather than in create(): the library asks the current driver context.
   if (!data_->context)
-    data_->context = std::make_unique<OwnedContext>(OSMesaGetProcAddress, data_->options);
+    data_->context = std::make_unique<OwnedContext>(data_->driver.loader, data_->options);
   data_->context->make_current();
 }
 

@@ -5,7 +5,8 @@
 
 namespace legacy_gl::test {
 
-OsmesaContext::OsmesaContext(int width, int height, PixelFormat color_format, Profile profile)
+OsmesaContext::OsmesaContext(int width, int height, PixelFormat color_format, Profile profile,
+                             const OsmesaContext* shares)
     : color_buffer_(color_format, width, height) {
   // A compatibility context is asked for without a version: Mesa gives the newest.
   const bool core = profile == Profile::core;
@@ -24,7 +25,7 @@ OsmesaContext::OsmesaContext(int width, int height, PixelFormat color_format, Pr
                                           OSMESA_CONTEXT_MINOR_VERSION,
                                           3,
                                           0};
-  handle_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+  handle_ = OSMesaCreateContextAttribs(attributes.data(), shares ? shares->handle_ : nullptr);
   if (handle_ == nullptr) throw std::runtime_error("OSMesaCreateContextAttribs failed");
 }
 

@@ -11,7 +11,8 @@ enum class Profile { compatibility, core };
 
 class OsmesaContext {
  public:
-  OsmesaContext(int width, int height, PixelFormat color_format, Profile profile);
+  OsmesaContext(int width, int height, PixelFormat color_format, Profile profile,
+                const OsmesaContext* shares = nullptr);
   ~OsmesaContext();
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;

@@ -158,7 +158,7 @@ TEST_F(DisplayListTest, EqualVerticesAreShared) {
   call(1);
   EXPECT_TRUE(renderer.batches.empty());
   ASSERT_EQ(renderer.meshes.size(), 1u);
-  const ListMesh& mesh = renderer.meshes[0];
+  const ListMesh& mesh = *renderer.meshes[0];
   EXPECT_EQ(mesh.layout.fields, kFieldNormal);
   EXPECT_EQ(mesh.vertex_count(), 4u);
   EXPECT_EQ(mesh.welded, 2u);
@@ -178,7 +178,7 @@ TEST_F(DisplayListTest, VerticesThatDifferInAnAttributeAreNot) {
     lglEnd();
   });
   call(1);
-  EXPECT_EQ(renderer.meshes.at(0).vertex_count(), 6u);
+  EXPECT_EQ(renderer.meshes.at(0)->vertex_count(), 6u);
 }
 
 TEST_F(DisplayListTest, PairsJoinOneMesh) {
@@ -192,7 +192,7 @@ TEST_F(DisplayListTest, PairsJoinOneMesh) {
   });
   call(1);
   ASSERT_EQ(renderer.meshes.size(), 1u);
-  const ListMesh& mesh = renderer.meshes[0];
+  const ListMesh& mesh = *renderer.meshes[0];
   EXPECT_EQ(mesh.vertex_count(), 4u);
   ASSERT_EQ(mesh.draws.size(), 1u);  // quads are triangles to the driver
   EXPECT_EQ(mesh.draws[0].mode, GLenum{GL_TRIANGLES});
@@ -211,7 +211,7 @@ TEST_F(DisplayListTest, StripsKeepTheirOrder) {
     }
   });
   call(1);
-  const ListMesh& mesh = renderer.meshes.at(0);
+  const ListMesh& mesh = *renderer.meshes.at(0);
   EXPECT_EQ(mesh.vertex_count(), 8u);
   EXPECT_EQ(mesh.firsts, (std::vector<GLint>{0, 4}));
   EXPECT_EQ(mesh.counts, (std::vector<GLsizei>{4, 4}));
@@ -255,7 +255,7 @@ TEST_F(DisplayListTest, IncompletePrimitivesAddNothing) {
     lglEnd();
   });
   call(1);
-  EXPECT_EQ(renderer.meshes.at(0).vertex_count(), 3u);
+  EXPECT_EQ(renderer.meshes.at(0)->vertex_count(), 3u);
 }
 
 // The value that no command of the list has set is the one of the call.
@@ -264,7 +264,7 @@ TEST_F(DisplayListTest, AttributesThatTheListDoesNotSetAreTheCalls) {
   lglColor3f(0, 1, 0);
   call(1);
   EXPECT_EQ(renderer.colors_of_meshes.at(0), glm::vec4(0, 1, 0, 1));
-  EXPECT_FALSE(renderer.meshes.at(0).layout.fields & kFieldColor);
+  EXPECT_FALSE(renderer.meshes.at(0)->layout.fields & kFieldColor);
 }
 
 /// What a mesh cannot hold, each between glBegin and glEnd.
@@ -376,7 +376,7 @@ TEST_F(DisplayListTest, LongArraysBecomeAMesh) {
   lglEnableClientState(GL_VERTEX_ARRAY);
   compile(1, [] { lglDrawArrays(GL_QUADS, 0, 100); });
   call(1);
-  const ListMesh& mesh = renderer.meshes.at(0);
+  const ListMesh& mesh = *renderer.meshes.at(0);
   EXPECT_EQ(mesh.vertices, positions);
   EXPECT_EQ(mesh.indices.size(), 150u);
   EXPECT_EQ(mesh.runs.at(0).mode, GLenum{GL_QUADS});
@@ -385,18 +385,18 @@ TEST_F(DisplayListTest, LongArraysBecomeAMesh) {
 TEST(ListNames, GenerateFindsRowsOfUnusedNames) {
   ListNames names;
   const auto list = std::make_shared<const DisplayList>();
-  EXPECT_EQ(names.generate(3), 1u);
+  EXPECT_EQ(names.generate(3, list), 1u);
   names.store(6, list);
-  EXPECT_EQ(names.generate(3), 7u);
-  EXPECT_EQ(names.generate(2), 4u);
+  EXPECT_EQ(names.generate(3, list), 7u);
+  EXPECT_EQ(names.generate(2, list), 4u);
   names.erase(2, 3);
   EXPECT_TRUE(names.contains(1));
   EXPECT_FALSE(names.contains(4));
   EXPECT_TRUE(names.contains(5));
   names.store(0xffffffffu, list);
   names.erase(1, 0xfffffffeu);
-  EXPECT_EQ(names.generate(2), 1u);
-  EXPECT_EQ(names.generate(0xffffffffu), 0u);
+  EXPECT_EQ(names.generate(2, list), 1u);
+  EXPECT_EQ(names.generate(0xffffffffu, list), 0u);
 }
 
 }  // namespace

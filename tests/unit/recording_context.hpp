@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "api/whole_context.hpp"
@@ -56,15 +57,16 @@ class NotingRenderer final : public Renderer {
   void draw_bitmaps(Context&) override { ++bitmaps; }
   void draw_mesh(Context& context, const ListMesh& mesh) override {
     flush_pending(context);
-    meshes.push_back(mesh);
+    meshes.push_back(mesh.shared_from_this());
     colors_of_meshes.push_back(context.current.color);
   }
   bool detach_from_matrices(Context&) override { return false; }
   bool shade_batch(Context&) override { return false; }
   bool shades_next_draw(Context&) override { return false; }
+  void recover(Context&) noexcept override {}
 
   std::vector<DrawnBatch> batches;
-  std::vector<ListMesh> meshes;
+  std::vector<std::shared_ptr<const ListMesh>> meshes;
   std::vector<glm::vec4> colors_of_meshes;  ///< the current colour when each was drawn
   unsigned bitmaps = 0;
   std::function<void()> before_batch;
