@@ -94,8 +94,9 @@ typedef struct legacy_gl_options {
   legacy_gl_quality quality;
   legacy_gl_diagnostic diagnostic; /**< NULL: stderr */
   void* diagnostic_user;
-  legacy_gl_context* share; /**< display lists and textures are shared with this context, textures
-                              as far as the two driver contexts share objects; NULL: with none */
+  legacy_gl_context* share; /**< display lists, textures and buffer objects are shared with this
+                              context, the latter two as far as the two driver contexts share
+                              objects; NULL: with none */
   /** Where compiled programs are kept for the next run; NULL: nowhere. Made if it is missing. A
    * file there that is damaged, of another driver or of another version is ignored. The text is
    * copied. */

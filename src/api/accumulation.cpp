@@ -1,6 +1,5 @@
 // GL 2.1 spec 4.2.3, 4.2.4: glClearAccum, glAccum.
 #include <glm/common.hpp>
-#include <new>
 
 #include "dlist/dispatch.hpp"
 #include "execute/framebuffer.hpp"
@@ -25,11 +24,7 @@ void accum(Context& c, GLenum operation, float value) {
   if (!is_operation(operation)) return raise_error(c, GL_INVALID_ENUM);
   if (!has_accumulation_buffer(c)) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
-  try {
-    accumulate(c, operation, value);
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  accumulate(c, operation, value);
 }
 
 }  // namespace

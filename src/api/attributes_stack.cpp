@@ -17,7 +17,8 @@ bool inside(Context& c) {
 void push_attrib(Context& c, GLbitfield mask) {
   if (inside(c)) return;
   if (!c.attribute_stacks.server.can_push()) return raise_error(c, GL_STACK_OVERFLOW);
-  save_attributes(c, mask, c.attribute_stacks.server.push());
+  save_attributes(c, mask, c.attribute_stacks.server.next());
+  c.attribute_stacks.server.push();
 }
 
 void pop_attrib(Context& c) {
@@ -29,7 +30,8 @@ void pop_attrib(Context& c) {
 void push_client_attrib(Context& c, GLbitfield mask) {
   if (inside(c)) return;
   if (!c.attribute_stacks.client.can_push()) return raise_error(c, GL_STACK_OVERFLOW);
-  save_client_attributes(c, mask, c.attribute_stacks.client.push());
+  save_client_attributes(c, mask, c.attribute_stacks.client.next());
+  c.attribute_stacks.client.push();
 }
 
 void pop_client_attrib(Context& c) {

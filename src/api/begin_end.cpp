@@ -9,5 +9,5 @@ LEGACY_GL_API void LEGACY_GL_APIENTRY lglBegin(GLenum mode) { dispatch<execute::
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglEnd(void) {
   dispatch<execute::end>();
   if (!direct_context && current_context && current_context->list_modes.compiling)
-    current_context->lists.weld();
+    with_context([](Context& context) { context.lists.weld(); });
 }

@@ -45,19 +45,19 @@ void bitmap_error(Context& c, GLenum error) {
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglBitmap(GLsizei width, GLsizei height, GLfloat xorig,
                                                 GLfloat yorig, GLfloat xmove, GLfloat ymove,
                                                 const GLubyte* pixels) {
-  Context* const c = current_context;
-  if (!c) return report_no_context();
   if (width < 0 || height < 0) return dispatch<bitmap_error>(GLenum{GL_INVALID_VALUE});
   const Origin origin{xorig, yorig}, move{xmove, ymove};
   const BitmapImage* const none = nullptr;
   if (!width || !height || !pixels) return dispatch<bitmap>(none, origin, move);
-  if (!c->list_modes.compiling) {
-    unpack_bitmap(c->unpack, width, height, pixels, c->bitmap_scratch);
-    return bitmap(*c, &c->bitmap_scratch, origin, move);
-  }
-  const auto image = std::make_shared<BitmapImage>();
-  unpack_bitmap(c->unpack, width, height, pixels, *image);
-  c->lists.keep(image);
-  const BitmapImage* const kept = image.get();
-  dispatch<bitmap>(kept, origin, move);
+  with_context([&](Context& c) {
+    if (!c.list_modes.compiling) {
+      unpack_bitmap(c.unpack, width, height, pixels, c.bitmap_scratch);
+      return bitmap(c, &c.bitmap_scratch, origin, move);
+    }
+    const auto image = std::make_shared<BitmapImage>();
+    unpack_bitmap(c.unpack, width, height, pixels, *image);
+    c.lists.keep(image);
+    const BitmapImage* const kept = image.get();
+    dispatch<bitmap>(kept, origin, move);
+  });
 }

@@ -82,20 +82,22 @@ void play_compressed(Context& c, const CompressedCall& call, const Bytes* data) 
   execute(c, call, data ? data->data() : nullptr);
 }
 
-void compressed_call(const CompressedCall& call, const void* data) {
-  Context* const context = current_context;
-  if (!context) return report_no_context();
+void call_or_record(Context& context, const CompressedCall& call, const void* data) {
   const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
   const bool proxy = target && target->proxy;  // executed at once (GL 2.1 spec 5.4)
-  if (!context->list_modes.compiling || proxy) return execute(*context, call, data);
+  if (!context.list_modes.compiling || proxy) return execute(context, call, data);
   const Bytes* recorded = nullptr;
   if (data && has_size(call)) {
     const auto* const bytes = static_cast<const std::byte*>(data);
     const auto kept = std::make_shared<const Bytes>(bytes, bytes + call.bytes);
-    context->lists.keep(kept);
+    context.lists.keep(kept);
     recorded = kept.get();
   }
   dispatch<play_compressed>(call, recorded);
+}
+
+void compressed_call(const CompressedCall& call, const void* data) {
+  with_context([&](Context& context) { call_or_record(context, call, data); });
 }
 
 void get_compressed_tex_image(Context& c, GLenum target_name, GLint level, void* data) {

@@ -2,10 +2,12 @@
 #include "record/pending.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
+#include <string_view>
+#include <utility>
 
 #include "api/sized_structs.hpp"
 #include "api/whole_context.hpp"
@@ -20,10 +22,13 @@ namespace legacy_gl {
 
 namespace {
 
-thread_local std::string status_detail;
+/// Of a fixed size: a lack of memory has to be told too.
+constinit thread_local std::array<char, 512> status_detail{};
 
-legacy_gl_status fail(legacy_gl_status status, std::string detail) {
-  status_detail = std::move(detail);
+legacy_gl_status fail(legacy_gl_status status, std::string_view detail) {
+  const std::size_t count = std::min(detail.size(), status_detail.size() - 1);
+  std::copy_n(detail.begin(), count, status_detail.begin());
+  status_detail[count] = 0;
   return status;
 }
 
@@ -85,7 +90,8 @@ legacy_gl_status create(legacy_gl_loader loader, const legacy_gl_options& option
   context = std::move(whole);
   if (options.share) {
     context->lists.names = options.share->lists.names;
-    context->texture.names = options.share->texture.names;
+    context->texture.shared = options.share->texture.shared;
+    context->driver->buffers.share_with(options.share->driver->buffers);
   }
   // Table 6.x: viewport and scissor box start as the size of the window, which the driver knows.
   driver.GetIntegerv(GL_VIEWPORT, context->raster.viewport.box.data());
@@ -115,8 +121,8 @@ legacy_gl_context* legacy_gl_create_context(legacy_gl_loader loader,
     const std::string wrong = read_options(options, known);
     result =
         wrong.empty() ? create(loader, known, context) : fail(LEGACY_GL_INVALID_ARGUMENT, wrong);
-  } catch (const std::bad_alloc&) {
-    result = LEGACY_GL_OUT_OF_MEMORY;
+  } catch (...) {
+    result = fail(LEGACY_GL_OUT_OF_MEMORY, "while the context was made");
   }
   if (status) *status = result;
   return result == LEGACY_GL_OK ? context.release() : nullptr;
@@ -125,17 +131,18 @@ legacy_gl_context* legacy_gl_create_context(legacy_gl_loader loader,
 legacy_gl_status legacy_gl_make_current(legacy_gl_context* context) {
   if (context == current_context) return LEGACY_GL_OK;
   const std::thread::id here = std::this_thread::get_id();
-  if (context && context->current_in != std::thread::id{} && context->current_in != here)
+  std::thread::id nowhere{};
+  if (context && !context->current_in.compare_exchange_strong(nowhere, here))
     return fail(LEGACY_GL_CURRENT_ELSEWHERE, "the context is current in another thread");
   if (current_context) {
-    flush_pending(*current_context);
-    current_context->current_in = {};
+    guarded(*current_context, [] { flush_pending(*current_context); });
+    current_context->current_in = std::thread::id{};
   }
   current_context = context;
   update_direct_context();
   if (context) {
-    context->current_in = here;
     forget_driver_state(*context);
+    free_deleted(*context);
   }
   return LEGACY_GL_OK;
 }
@@ -148,7 +155,12 @@ void legacy_gl_destroy_context(legacy_gl_context* context) {
 }
 
 void legacy_gl_flush(void) {
-  if (current_context) flush_pending(*current_context);
+  Context* const context = current_context;
+  if (!context) return;
+  guarded(*context, [context] {
+    flush_pending(*context);
+    free_deleted(*context);
+  });
 }
 
 void legacy_gl_reset_driver_state(void) {
@@ -167,19 +179,24 @@ void legacy_gl_reset_statistics(void) {
 }
 
 size_t legacy_gl_get_program_source(char* text, size_t size) {
-  if (!current_context) return 0;
-  return give(program_source(*current_context), text, size);
+  Context* const context = current_context;
+  if (!context) return 0;
+  return guarded(*context, [&] { return give(program_source(*context), text, size); });
 }
 
 size_t legacy_gl_get_program_keys(char* text, size_t size) {
-  if (!current_context) return 0;
-  return give(current_context->driver->programs.keys(), text, size);
+  Context* const context = current_context;
+  if (!context) return 0;
+  return guarded(*context, [&] { return give(context->driver->programs.keys(), text, size); });
 }
 
 size_t legacy_gl_precompile(const char* keys, size_t length) {
-  if (!current_context || !keys) return 0;
-  flush_pending(*current_context);
-  return current_context->driver->programs.precompile({keys, length}, current_context->statistics);
+  Context* const context = current_context;
+  if (!context || !keys) return 0;
+  return guarded(*context, [&] {
+    flush_pending(*context);
+    return context->driver->programs.precompile({keys, length}, context->statistics);
+  });
 }
 
 const char* legacy_gl_status_string(legacy_gl_status status) {
@@ -196,4 +213,4 @@ const char* legacy_gl_status_string(legacy_gl_status status) {
   return "unknown status";
 }
 
-const char* legacy_gl_status_detail(void) { return status_detail.c_str(); }
+const char* legacy_gl_status_detail(void) { return status_detail.data(); }

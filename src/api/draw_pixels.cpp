@@ -1,6 +1,5 @@
 // GL 2.1 spec 3.6.4, 4.3.3: glDrawPixels, glCopyPixels.
 #include <memory>
-#include <new>
 
 #include "api/pixel_buffers.hpp"
 #include "cpu_pipeline/feedback.hpp"
@@ -69,11 +68,7 @@ void draw_pixels(Context& c, const PixelCall& call, const PixelStore& store, con
   if (!c.selection.is_rendering() || !pixels || !call.width || !call.height) return;
   PixelStore applied = store;
   applied.skip_images = applied.image_height = 0;
-  try {
-    draw(c, call, applied, pixels);
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  draw(c, call, applied, pixels);
 }
 
 /// Of a display list; nullptr: without pixels.
@@ -129,28 +124,24 @@ void copy_pixels(Context& c, PixelRectangle from, GLenum type) {
                              ? GL_UNSIGNED_BYTE
                              : GL_FLOAT;
   flush_pending(c);
-  try {
-    PixelStore store;
-    store.alignment = 1;
-    std::vector<std::byte> pixels(static_cast<std::size_t>(from.width) *
-                                  static_cast<std::size_t>(from.height) *
-                                  bytes_per_pixel(format, element));
-    read_pixels(driver, from, store, format, element, PixelState{}, pixels.data());
-    draw(c, {from.width, from.height, format, element}, store, pixels.data());
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  PixelStore store;
+  store.alignment = 1;
+  std::vector<std::byte> pixels(static_cast<std::size_t>(from.width) *
+                                static_cast<std::size_t>(from.height) *
+                                bytes_per_pixel(format, element));
+  read_pixels(driver, from, store, format, element, PixelState{}, pixels.data());
+  draw(c, {from.width, from.height, format, element}, store, pixels.data());
 }
 
 }  // namespace
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglDrawPixels(GLsizei width, GLsizei height, GLenum format,
                                                     GLenum type, const void* pixels) {
-  Context* const c = current_context;
-  if (!c) return report_no_context();
   const PixelCall call{width, height, format, type};
-  if (c->list_modes.compiling) return record_pixel_call(*c, call, pixels);
-  draw_pixels(*c, call, c->unpack, pixels);
+  with_context([&](Context& c) {
+    if (c.list_modes.compiling) record_pixel_call(c, call, pixels);
+    else draw_pixels(c, call, c.unpack, pixels);
+  });
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height,
                                                     GLenum type) {

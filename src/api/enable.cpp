@@ -41,12 +41,14 @@ void flush(Context& c) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
   c.driver->functions.Flush();
+  free_deleted(c);
 }
 
 void finish(Context& c) {
   if (c.recorder.inside_begin_end()) return raise_error(c, GL_INVALID_OPERATION);
   flush_pending(c);
   c.driver->functions.Finish();
+  free_deleted(c);
 }
 
 void clear(Context& c, GLbitfield mask) {

@@ -46,9 +46,7 @@ void define_map(Context& c, const MapCall& call, const std::vector<float>* point
 
 /// The control points as the list keeps them: tightly packed floats.
 template <typename T>
-void map(const MapCall& call, const T* points) {
-  Context* const c = current_context;
-  if (!c) return report_no_context();
+void map_in(Context& c, const MapCall& call, const T* points) {
   std::shared_ptr<std::vector<float>> kept;
   if (points && map_error(call) == GL_NO_ERROR) {
     kept = std::make_shared<std::vector<float>>();
@@ -59,10 +57,15 @@ void map(const MapCall& call, const T* points) {
         for (unsigned component = 0; component < map_components(call.map()); ++component)
           kept->push_back(static_cast<float>(points[at + component]));
       }
-    c->lists.keep(kept);
+    c.lists.keep(kept);
   }
   const std::vector<float>* const taken = kept.get();
   dispatch<define_map>(call, taken);
+}
+
+template <typename T>
+void map(const MapCall& call, const T* points) {
+  with_context([&](Context& c) { map_in(c, call, points); });
 }
 
 template <typename T>

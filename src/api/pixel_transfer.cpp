@@ -101,17 +101,17 @@ float map_value(unsigned map, T value) {
 
 template <typename T>
 void set_pixel_map(GLenum name, GLsizei size, const T* values) {
-  Context* const c = current_context;
-  if (!c) return report_no_context();
-  std::shared_ptr<std::vector<float>> kept;
-  const unsigned map = map_index(name);
-  if (values && pixel_map_error(map, size) == GL_NO_ERROR) {
-    kept = std::make_shared<std::vector<float>>();
-    for (GLsizei i = 0; i < size; ++i) kept->push_back(map_value(map, values[i]));
-    c->lists.keep(kept);
-  }
-  const std::vector<float>* const taken = kept.get();
-  dispatch<pixel_map>(name, size, taken);
+  with_context([&](Context& c) {
+    std::shared_ptr<std::vector<float>> kept;
+    const unsigned map = map_index(name);
+    if (values && pixel_map_error(map, size) == GL_NO_ERROR) {
+      kept = std::make_shared<std::vector<float>>();
+      for (GLsizei i = 0; i < size; ++i) kept->push_back(map_value(map, values[i]));
+      c.lists.keep(kept);
+    }
+    const std::vector<float>* const taken = kept.get();
+    dispatch<pixel_map>(name, size, taken);
+  });
 }
 
 template <typename T>

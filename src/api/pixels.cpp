@@ -1,5 +1,4 @@
 // GL 2.1 spec 4.2.1, 4.3.2: glDrawBuffer, glReadBuffer, glReadPixels.
-#include <new>
 
 #include "api/pixel_buffers.hpp"
 #include "dlist/dispatch.hpp"
@@ -45,12 +44,8 @@ void read_pixels_into(Context& c, PixelRectangle rectangle, GLenum format, GLenu
   }
   flush_pending(c);
   if (!pixels || !rectangle.width || !rectangle.height) return;
-  try {
-    read_pixels(c.driver->functions, rectangle, c.pack, format, type, c.pixels,
-                static_cast<std::byte*>(pixels));
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  read_pixels(c.driver->functions, rectangle, c.pack, format, type, c.pixels,
+              static_cast<std::byte*>(pixels));
 }
 
 }  // namespace

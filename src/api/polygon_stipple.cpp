@@ -39,9 +39,9 @@ void get_polygon_stipple(Context& c, GLubyte* mask) {
 }  // namespace
 
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglPolygonStipple(const GLubyte* mask) {
-  const Context* const c = current_context;
-  if (!c) return report_no_context();
-  if (mask) dispatch<polygon_stipple>(unpack_stipple(c->unpack, mask));
+  with_context([mask](Context& c) {
+    if (mask) dispatch<polygon_stipple>(unpack_stipple(c.unpack, mask));
+  });
 }
 LEGACY_GL_API void LEGACY_GL_APIENTRY lglGetPolygonStipple(GLubyte* mask) {
   execute_now<get_polygon_stipple>(mask);

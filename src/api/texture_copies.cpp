@@ -1,5 +1,4 @@
 // GL 2.1 spec 3.8.2: glCopyTexImage, glCopyTexSubImage.
-#include <new>
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
@@ -33,19 +32,15 @@ void copy_image(Context& c, GLenum target_name, unsigned dimensions, GLint level
   const BaseFormat base = find_texture_format(image.internal_format).base;
   if (const GLenum error = source_error(c, base)) return raise_error(c, error);
   const ImageSize size = size_without_border(image);
-  try {
-    define_image(c, image, nullptr);
-    if (!size.texels()) return;
-    const ImagePlace place{bound_texture(c, target->target), target->face, level};
-    from.x += border;
-    from.width = size.width;
-    if (dimensions == 2) from.y += border;
-    from.height = size.height;
-    c.driver->textures.copy(place, {}, from, c.pixels);
-    image_changed(c, place);
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  define_image(c, image, nullptr);
+  if (!size.texels()) return;
+  const ImagePlace place{bound_texture(c, target->target), target->face, level};
+  from.x += border;
+  from.width = size.width;
+  if (dimensions == 2) from.y += border;
+  from.height = size.height;
+  c.driver->textures.copy(place, {}, from, c.pixels);
+  image_changed(c, place);
 }
 
 void copy_part(Context& c, GLenum target_name, unsigned dimensions, GLint level, ImageOffset offset,
@@ -62,12 +57,8 @@ void copy_part(Context& c, GLenum target_name, unsigned dimensions, GLint level,
   if (refuses_texels(c, place.texture.images.at(place.face, place.level))) return;
   before_texture_change(c);
   if (!from.width || !from.height) return;
-  try {
-    c.driver->textures.copy(place, offset, from, c.pixels);
-    image_changed(c, place);
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  c.driver->textures.copy(place, offset, from, c.pixels);
+  image_changed(c, place);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // GL 2.1 spec 3.8.1, 3.8.2: glTexImage, glTexSubImage.
 #include <algorithm>
 #include <memory>
-#include <new>
 
 #include "api/texture_image_rules.hpp"
 #include "dlist/dispatch.hpp"
@@ -92,12 +91,8 @@ void execute(Context& c, const ImageCall& call, const PixelStore& store, const v
   if (refused_inside(c)) return;
   PixelStore applied = store;
   if (call.dimensions < 3) applied.skip_images = applied.image_height = 0;
-  try {
-    if (call.replaces_part) replace(c, call, applied, pixels);
-    else define(c, call, applied, pixels);
-  } catch (const std::bad_alloc&) {
-    raise_error(c, GL_OUT_OF_MEMORY);
-  }
+  if (call.replaces_part) replace(c, call, applied, pixels);
+  else define(c, call, applied, pixels);
 }
 
 /// In a list; nullptr: without pixels.
@@ -126,12 +121,12 @@ void record_image(Context& c, const ImageCall& call, const void* pixels) {
 }
 
 void image_call(const ImageCall& call, const void* pixels) {
-  Context* const context = current_context;
-  if (!context) return report_no_context();
-  const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
-  const bool proxy = target && target->proxy;  // executed at once (GL 2.1 spec 5.4)
-  if (context->list_modes.compiling && !proxy) return record_image(*context, call, pixels);
-  execute(*context, call, context->unpack, pixels);
+  with_context([&](Context& context) {
+    const std::optional<ImageTarget> target = image_target(call.target, call.dimensions);
+    const bool proxy = target && target->proxy;  // executed at once (GL 2.1 spec 5.4)
+    if (context.list_modes.compiling && !proxy) record_image(context, call, pixels);
+    else execute(context, call, context.unpack, pixels);
+  });
 }
 
 }  // namespace

@@ -8,6 +8,23 @@
 
 namespace legacy_gl {
 
+/// What others may own too goes before the driver's side, which deletes what nobody owns then.
+WholeContext::~WholeContext() {
+  if (!driver) return;
+  attribute_stacks = {};
+  arrays = {};
+  lists.names = nullptr;
+  lists.compiling_list = nullptr;
+  texture.units = {};
+  texture.defaults = {};
+  const std::shared_ptr<SharedTextures> shared = std::exchange(texture.shared, nullptr);
+  if (shared.use_count() == 1) shared->names.erase(1, UINT32_MAX);
+  driver->textures.free_deleted(*shared->deleted);
+  driver->textures.free_deleted(*texture.deleted_defaults);
+  driver->buffers.leave();
+  driver->free_deleted();
+}
+
 void WholeContext::attach(const Driver& functions, legacy_gl_programs programs,
                           ProgramFiles files) {
   driver = &objects_.emplace(functions, programs, std::move(files));

@@ -16,6 +16,8 @@ class WholeContext final : public legacy_gl_context {
   explicit WholeContext(const legacy_gl_options& chosen)
       : legacy_gl_context(chosen, own_recorder_, own_lists_) {}
 
+  ~WholeContext() override;
+
   /// Gives it the driver that is current.
   void attach(const Driver& functions, legacy_gl_programs programs, ProgramFiles files);
 

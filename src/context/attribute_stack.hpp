@@ -68,13 +68,16 @@ class LevelStack {
   unsigned depth() const { return depth_; }
   bool can_push() const { return depth_ < kMaxDepth; }
   bool can_pop() const { return depth_ > 0; }
-  Level& push() {
+  /// What the next push() makes a level: filled before, so that a lack of memory leaves none that is
+  /// half filled.
+  Level& next() {
     if (levels_.size() == depth_) {
       levels_.reserve(kMaxDepth);
       levels_.emplace_back();
     }
-    return levels_[depth_++];
+    return levels_[depth_];
   }
+  void push() { ++depth_; }
   const Level& pop() { return levels_[--depth_]; }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 #include <legacy_gl/context.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -94,7 +95,7 @@ struct legacy_gl_context {
   legacy_gl::Renderer* renderer = nullptr;
   legacy_gl::DriverObjects* driver = nullptr;
   legacy_gl::Submission* submission = nullptr;
-  std::thread::id current_in{};  ///< the thread in which it is current; default: none
+  std::atomic<std::thread::id> current_in{};  ///< where it is current; default: in no thread
 };
 
 namespace legacy_gl {

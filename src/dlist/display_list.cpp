@@ -37,8 +37,8 @@ void DisplayList::finish() {
 
 void DisplayList::append_mesh(std::shared_ptr<ListMesh> mesh) {
   static_assert(sizeof(void*) <= sizeof(std::uint64_t));
-  new (append(&play_mesh, sizeof(std::uint64_t))) const ListMesh*(mesh.get());
   meshes_.push_back(std::move(mesh));
+  new (append(&play_mesh, sizeof(std::uint64_t))) const ListMesh*(meshes_.back().get());
 }
 
 DisplayList::Command DisplayList::at(std::size_t position) const {

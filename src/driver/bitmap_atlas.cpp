@@ -75,23 +75,28 @@ void BitmapAtlas::forget() {
   shelf_x_ = shelf_y_ = shelf_height_ = 0;
 }
 
-void BitmapAtlas::bind() {
-  if (!texture_) {
-    driver_.GenTextures(1, &texture_);
-    driver_.BindTexture(GL_TEXTURE_2D, texture_);
-    label(driver_, GL_TEXTURE, texture_, "glyphs of glBitmap");
-    driver_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    driver_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    driver_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, kSide, kSide, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-  } else {
-    driver_.BindTexture(GL_TEXTURE_2D, texture_);
-  }
+bool BitmapAtlas::make_texture() {
+  if (!texture_) driver_.GenTextures(1, &texture_);
+  driver_.BindTexture(GL_TEXTURE_2D, texture_);
+  label(driver_, GL_TEXTURE, texture_, "glyphs of glBitmap");
+  driver_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  driver_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  forget_errors(driver_);
+  driver_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, kSide, kSide, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+  return driver_.GetError() == GL_NO_ERROR;
+}
+
+bool BitmapAtlas::bind() {
+  if (has_image_) driver_.BindTexture(GL_TEXTURE_2D, texture_);
+  else has_image_ = make_texture();
+  if (!has_image_) return false;  // what changed waits for the next
   if (changed_from_ < changed_to_)
     driver_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, changed_from_, kSide, changed_to_ - changed_from_,
                           GL_RED, GL_UNSIGNED_BYTE,
                           &texels_[static_cast<std::size_t>(changed_from_) * kSide]);
   changed_from_ = kSide;
   changed_to_ = 0;
+  return true;
 }
 
 }  // namespace legacy_gl

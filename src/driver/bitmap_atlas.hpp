@@ -11,7 +11,7 @@
 
 namespace legacy_gl {
 
-/// BitmapAtlas that wait to be drawn together, and the texture that keeps those that were drawn
+/// Bitmaps that wait to be drawn together, and the texture that keeps those that were drawn
 /// before: a glyph is unpacked once, and a text is one draw.
 class BitmapAtlas {
  public:
@@ -29,23 +29,26 @@ class BitmapAtlas {
   /// Forgets every bitmap that was kept; none waits.
   void forget();
 
-  /// Two triangles a bitmap, as Backend::pixel_layout says.
+  /// Two triangles a bitmap, as draw_pixel_quads (submit/pixel_quads.hpp) reads them.
   const std::vector<float>& vertices() const { return vertices_; }
   void clear() { vertices_.clear(); }
-  /// Brings the driver's texture up to date and binds it to the unit that is active.
-  void bind();
+  /// Brings the driver's texture up to date and binds it to the unit that is active. False when the
+  /// driver has no memory for it.
+  bool bind();
 
  private:
   struct Slot {
     GLint x, y;
   };
   std::optional<Slot> find_or_store(const BitmapImage& image);
+  bool make_texture();
   std::optional<Slot> take_room(GLsizei width, GLsizei height);
 
   static constexpr GLsizei kSide = 1024;
 
   const Driver& driver_;
   GLuint texture_ = 0;
+  bool has_image_ = false;
   std::vector<unsigned char> texels_;              ///< 0 or 255
   GLsizei changed_from_ = kSide, changed_to_ = 0;  ///< rows that the driver does not have
   std::unordered_map<std::string, Slot> slots_;

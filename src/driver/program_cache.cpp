@@ -26,15 +26,16 @@ ProgramCache::~ProgramCache() = default;
 
 ProgramCache::Entry& ProgramCache::find(const ProgramKey& key) {
   if (last_ && key == last_key_) return *last_;
+  Entry& entry = programs_[key];  // stays where it is while others are added
   last_key_ = key;
-  last_ = &programs_[key];  // stays where it is while others are added
-  return *last_;
+  last_ = &entry;
+  return entry;
 }
 
 void ProgramCache::build_entry(const ProgramKey& key, Entry& entry,
                                legacy_gl_statistics& statistics) {
-  entry.built = true;
   entry.program = build(key, statistics);
+  entry.built = entry.program || ++entry.refusals == kMostRefusals;
 }
 
 GLuint ProgramCache::find_or_build(const ProgramKey& key, legacy_gl_statistics& statistics) {
@@ -58,7 +59,7 @@ bool ProgramCache::worth_it(const ProgramKey& key, std::uint64_t vertices, Entry
 ProgramCache::Choice ProgramCache::choose(const ProgramKey& key, std::uint64_t vertices,
                                           legacy_gl_statistics& statistics) {
   Entry& entry = find(key);
-  if (entry.built) return {entry.program, false};
+  if (entry.built && (entry.program || !entry.general)) return {entry.program, false};
   if (!entry.general && policy_ != LEGACY_GL_PROGRAMS_SPECIALISED) {
     const ProgramKey general = generalise(key);
     // The first state waits less for its own program than for a general one, which it may be the
@@ -70,9 +71,9 @@ ProgramCache::Choice ProgramCache::choose(const ProgramKey& key, std::uint64_t v
       entry.general = program;
     }
   }
-  if (!entry.general || worth_it(key, vertices, entry)) {
+  if (!entry.built && (!entry.general || worth_it(key, vertices, entry))) {
     build_entry(key, entry, statistics);
-    return {entry.program, false};
+    if (entry.program || !entry.general) return {entry.program, false};
   }
   ++statistics.general_draws;
   return {entry.general, true};

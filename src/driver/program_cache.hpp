@@ -53,8 +53,13 @@ class ProgramCache {
   /// most twice what the best choice in hindsight would spend.
   static constexpr std::uint64_t kWorthCompiling = 1'000'000;
 
+  /// A driver that is out of memory refuses a program that it takes later; one that it never takes
+  /// must not be compiled for every draw.
+  static constexpr unsigned kMostRefusals = 3;
+
   struct Entry {
-    bool built = false;
+    bool built = false;  ///< or refused for good
+    unsigned refusals = 0;
     GLuint program = 0;
     GLuint general = 0;      ///< of the key's general program, which other entries share
     std::uint64_t work = 0;  ///< what the general program drew in its place

@@ -90,6 +90,24 @@ void* StreamBuffer::map(std::size_t size, std::size_t alignment, std::size_t& of
 
 void StreamBuffer::unmap() { driver_.UnmapBuffer(target_); }
 
+/// Where the driver refuses to map. The store itself may be missing, for lack of memory: then it is
+/// asked for again.
+std::size_t StreamBuffer::write_without_map(std::size_t offset, const void* data,
+                                            std::size_t size) {
+  forget_errors(driver_);
+  const auto put = [&](std::size_t at) {
+    driver_.BufferSubData(target_, static_cast<GLintptr>(at), static_cast<GLsizeiptr>(size), data);
+  };
+  put(offset);
+  if (driver_.GetError() == GL_NO_ERROR) return offset;
+  orphan(size);
+  segment_ = segment_of(size);
+  used_ = size;
+  ++rounds_;
+  put(0);
+  return 0;
+}
+
 std::size_t StreamBuffer::write(const void* data, std::size_t size, std::size_t alignment,
                                 std::size_t room) {
   const std::size_t offset = allocate(room, alignment);
@@ -97,11 +115,9 @@ std::size_t StreamBuffer::write(const void* data, std::size_t size, std::size_t 
   if (void* const target = map_at(offset, size)) {
     std::memcpy(target, data, size);
     unmap();
-  } else {
-    driver_.BufferSubData(target_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size),
-                          data);
+    return offset;
   }
-  return offset;
+  return write_without_map(offset, data, size);
 }
 
 }  // namespace legacy_gl

@@ -41,6 +41,7 @@ class StreamBuffer {
   static constexpr std::size_t kSegments = 4;
 
   std::size_t allocate(std::size_t size, std::size_t alignment);
+  std::size_t write_without_map(std::size_t offset, const void* data, std::size_t size);
   void* map_at(std::size_t offset, std::size_t size);
   std::size_t segment_of(std::size_t end) const;
   bool enter_segments(std::size_t first, std::size_t last);

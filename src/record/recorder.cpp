@@ -432,6 +432,13 @@ void Recorder::widen(const Context& context, const VertexLayout& layout) {
   set_limit();
 }
 
+void Recorder::abandon() {
+  clear();
+  first_ = 0;
+  materials_cached_ = false;
+  limit_ = nullptr;  // the next vertex reserves room
+}
+
 void Recorder::carry_materials(Context& context, MaterialMask mask) {
   materials_cached_ = false;
   if (!context.lighting.enabled) return;

@@ -98,6 +98,8 @@ class Recorder {
 
   /// Forgets the batch; the storage stays.
   void clear();
+  /// The same after an exception, inside Begin/End too: the primitive goes on with the next vertex.
+  void abandon();
 
   /// The layout that the present state asks for.
   static VertexLayout relevant_layout(const legacy_gl_context& context);

@@ -25,6 +25,9 @@ class Renderer {
   virtual bool shade_batch(legacy_gl_context& context) = 0;
   /// The next primitives can be lit here too, as a batch that shade_batch has lit goes on.
   virtual bool shades_next_draw(legacy_gl_context& context) = 0;
+
+  /// An exception ended what was under way, wherever that was: forgets all that may be half done.
+  virtual void recover(legacy_gl_context& context) noexcept = 0;
 };
 
 }  // namespace legacy_gl

@@ -13,9 +13,10 @@ void draw_bitmaps(Context& context) {
   Submission& submission = *context.submission;
   context.bitmaps_pending = false;
   objects.textures.select_unit(kPixelTextureUnit);
-  objects.bitmaps.bind();
-  draw_pixel_quads(context, PixelSource::kBitmap, objects.bitmaps.vertices(),
-                   pixel_raster(context.raster), &submission.bitmap_texture_coordinates);
+  if (objects.bitmaps.bind())
+    draw_pixel_quads(context, PixelSource::kBitmap, objects.bitmaps.vertices(),
+                     pixel_raster(context.raster), &submission.bitmap_texture_coordinates);
+  else raise_error(context, GL_OUT_OF_MEMORY);
   objects.bitmaps.clear();
 }
 

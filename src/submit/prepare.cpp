@@ -102,6 +102,11 @@ void forget_driver_state(Context& context) {
   context.dirty |= kDirtyRaster;
 }
 
+void free_deleted(Context& context) {
+  context.driver->textures.free_deleted(*context.texture.shared->deleted);
+  context.driver->free_deleted();
+}
+
 std::string program_source(Context& context) {
   flush_pending(context);
   update_inputs(context, Recorder::relevant_layout(context));

@@ -37,6 +37,9 @@ const void* write_indices(Context& context, const void* indices, std::size_t siz
 /// Others have used the driver: nothing that is bound or set is known.
 void forget_driver_state(Context& context);
 
+/// Deletes in the driver what no context has any more. The driver context is current.
+void free_deleted(Context& context);
+
 /// The text of both stages of the program that polygons are drawn with in the present state.
 std::string program_source(Context& context);
 

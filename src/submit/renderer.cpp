@@ -111,6 +111,13 @@ bool DriverRenderer::shade_batch(Context& context) {
   return fast_path && fast_path->shade_batch(context);
 }
 
+void DriverRenderer::recover(Context& context) noexcept {
+  forget_driver_state(context);
+  context.driver->bitmaps.clear();
+  context.submission->dirty.note(kDirtyAll);
+  context.submission->uniforms.forget_staged();
+}
+
 bool DriverRenderer::shades_next_draw(Context& context) {
   FastPath* const fast_path = fast_path_of(context);
   return fast_path && fast_path->shades_next_draw(context);

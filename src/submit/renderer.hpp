@@ -12,6 +12,7 @@ class DriverRenderer final : public Renderer {
   bool detach_from_matrices(legacy_gl_context& context) override;
   bool shade_batch(legacy_gl_context& context) override;
   bool shades_next_draw(legacy_gl_context& context) override;
+  void recover(legacy_gl_context& context) noexcept override;
 };
 
 }  // namespace legacy_gl

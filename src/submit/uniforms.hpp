@@ -21,6 +21,12 @@ class UniformUploader {
   /// `general`: the program in use reads the general block.
   void upload(Context& context, DrawInputs& inputs, bool general);
 
+  /// What was on its way stays stale.
+  void forget_staged() {
+    staged_count_ = 0;
+    values_.clear();
+  }
+
  private:
   /// A block's values on their way. It is bound with room for `room` bytes, as programs with longer
   /// arrays ask for.

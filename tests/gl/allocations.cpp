@@ -2,18 +2,30 @@
 
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 namespace {
 
 thread_local std::uint64_t count = 0;
+thread_local std::uint64_t until_failure = 0;  // allocations from here on; 0: none fails
+thread_local bool goes_on_failing = false, exempt = false;
+thread_local std::uint64_t failures = 0;
+
+bool fails() noexcept {
+  ++count;
+  if (exempt || until_failure == 0) return false;
+  if (--until_failure != 0) return false;
+  if (goes_on_failing) until_failure = 1;
+  ++failures;
+  return true;
+}
 
 void* allocate(std::size_t size) noexcept {
-  ++count;
-  return std::malloc(size ? size : 1);
+  return fails() ? nullptr : std::malloc(size ? size : 1);
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
-  ++count;
+  if (fails()) return nullptr;
   const auto to = static_cast<std::size_t>(alignment);
   return std::aligned_alloc(to, (size + to - 1) / to * to);
 }
@@ -50,5 +62,15 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { s
 namespace legacy_gl::test {
 
 std::uint64_t allocation_count() { return count; }
+
+void fail_allocation(std::uint64_t nth, bool and_all_after_it) {
+  until_failure = nth;
+  goes_on_failing = and_all_after_it;
+  failures = 0;
+}
+
+std::uint64_t failed_allocations() { return failures; }
+
+bool exempt_allocations(bool on) { return std::exchange(exempt, on); }
 
 }  // namespace legacy_gl::test
