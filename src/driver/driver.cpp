@@ -45,7 +45,6 @@ void load_optional(Driver& driver, Loader loader) {
   optional(driver.GetTexImage, "glGetTexImage", !es);
   optional(driver.GetTexLevelParameteriv, "glGetTexLevelParameteriv", !es);
   optional(driver.PointSize, "glPointSize", !es);
-  optional(driver.PolygonMode, "glPolygonMode", !es);
   const bool binaries = es || driver.major * 10 + driver.minor >= 41 ||
                         has_extension(driver, "GL_ARB_get_program_binary");
   optional(driver.GetProgramBinary, "glGetProgramBinary", binaries);
@@ -64,6 +63,13 @@ void load_optional(Driver& driver, Loader loader) {
 }
 
 }  // namespace
+
+void forget_errors(const Driver& driver) {
+  // One flag for each kind of error (GL 3.3 core spec 2.5).
+  constexpr int kErrorKinds = 8;
+  for (int i = 0; i < kErrorKinds && driver.GetError() != GL_NO_ERROR; ++i) {
+  }
+}
 
 bool has_extension(const Driver& driver, const char* name) {
   GLint count = 0;

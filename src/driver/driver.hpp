@@ -52,10 +52,8 @@ namespace legacy_gl {
   X(DepthFunc, DEPTHFUNC)                                                     \
   X(DepthMask, DEPTHMASK)                                                     \
   X(Disable, DISABLE)                                                         \
-  X(DisableVertexAttribArray, DISABLEVERTEXATTRIBARRAY)                       \
   X(DrawArrays, DRAWARRAYS)                                                   \
   X(DrawElements, DRAWELEMENTS)                                               \
-  X(DrawRangeElements, DRAWRANGEELEMENTS)                                     \
   X(Enable, ENABLE)                                                           \
   X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY)                         \
   X(EndQuery, ENDQUERY)                                                       \
@@ -85,8 +83,6 @@ namespace legacy_gl {
   X(GetStringi, GETSTRINGI)                                                   \
   X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX)                               \
   X(GetUniformLocation, GETUNIFORMLOCATION)                                   \
-  X(Hint, HINT)                                                               \
-  X(IsBuffer, ISBUFFER)                                                       \
   X(LineWidth, LINEWIDTH)                                                     \
   X(LinkProgram, LINKPROGRAM)                                                 \
   X(MapBufferRange, MAPBUFFERRANGE)                                           \
@@ -138,7 +134,6 @@ namespace legacy_gl {
   X(MultiDrawArrays, MULTIDRAWARRAYS)                     \
   X(ObjectLabel, OBJECTLABEL)                             \
   X(PointSize, POINTSIZE)                                 \
-  X(PolygonMode, POLYGONMODE)                             \
   X(PopDebugGroup, POPDEBUGGROUP)                         \
   X(ProgramBinary, PROGRAMBINARY)                         \
   X(ProgramParameteri, PROGRAMPARAMETERI)                 \
@@ -161,6 +156,10 @@ struct Driver {
 using Loader = void (*(*)(const char*))();
 
 enum class DriverStatus { kOk, kNoContext, kTooOld, kMissingFunction };
+
+/// What the driver has reported so far is forgotten, errors of the program's own calls too.
+/// Bounded: a driver whose context is lost may answer errors for ever.
+void forget_errors(const Driver& driver);
 
 bool has_extension(const Driver& driver, const char* name);
 
