@@ -68,8 +68,8 @@ class LevelStack {
   unsigned depth() const { return depth_; }
   bool can_push() const { return depth_ < kMaxDepth; }
   bool can_pop() const { return depth_ > 0; }
-  /// What the next push() makes a level: filled before, so that a lack of memory leaves none that is
-  /// half filled.
+  /// What the next push() makes a level: filled before, so that a lack of memory leaves none that
+  /// is half filled.
   Level& next() {
     if (levels_.size() == depth_) {
       levels_.reserve(kMaxDepth);

@@ -67,7 +67,8 @@ TEST_P(DriverFaults, NextFrameIsRight) {
   FaultyDriver faulty;
   std::map<std::string, int> messages;
   legacy_gl_options options{};
-  options.programs = LEGACY_GL_PROGRAMS_SPECIALISED;  // no picture depends on how often it was drawn
+  options.programs =
+      LEGACY_GL_PROGRAMS_SPECIALISED;  // no picture depends on how often it was drawn
   options.diagnostic = [](const char* message, void* user) {
     ++(*static_cast<std::map<std::string, int>*>(user))[message];
   };

@@ -30,8 +30,8 @@ class DriverIsExempt : public DriverObserver {
   bool was_exempt_ = false;
 };
 
-// With specialised programs from the first frame on: that a key has one now and had none a frame ago
-// may change a colour's last bit.
+// With specialised programs from the first frame on: that a key has one now and had none a frame
+// ago may change a colour's last bit.
 CoreContext make_context() {
   legacy_gl_options options = LEGACY_GL_OPTIONS_INIT;
   options.programs = LEGACY_GL_PROGRAMS_SPECIALISED;
