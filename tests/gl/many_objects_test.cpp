@@ -3,7 +3,10 @@
 #include <malloc.h>
 #include <legacy_gl/context.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -110,7 +113,7 @@ std::size_t bytes_in_use() { return mallinfo2().uordblks; }
 // LEGACY_GL_TEST_CONTEXTS says so. In one context of the driver's: Mesa's own leave some 200 bytes.
 TEST(ManyObjects, ContextsWithoutEnd) {
   const char* const asked = std::getenv("LEGACY_GL_TEST_CONTEXTS");
-  const int count = asked ? std::atoi(asked) : 1000;
+  const int count = asked ? std::atoi(asked) : 500;
   OsmesaContext driver(kEveryAreaSize, kEveryAreaSize, PixelFormat::rgba8, Profile::core);
   driver.bind();
   const GlFunctions gl = load_gl_functions(legacy_gl_get_proc_address);
@@ -123,13 +126,23 @@ TEST(ManyObjects, ContextsWithoutEnd) {
   const auto many = [&] {
     for (int i = 0; i < count; ++i) one(i % 100 == 0);
   };
-  many();  // the driver's own tables grow to the size that they keep
-  const std::size_t before = bytes_in_use();
-  many();
-  const auto grown = static_cast<std::int64_t>(bytes_in_use()) - static_cast<std::int64_t>(before);
+  const auto finish_driver = reinterpret_cast<void (*)()>(OSMesaGetProcAddress("glFinish"));
+  const auto bytes_after_many = [&] {
+    many();
+    finish_driver();
+    return static_cast<std::int64_t>(bytes_in_use());
+  };
+  // What is lost is lost in every round; the driver's own tables and its threads' work come and go.
+  std::int64_t before = bytes_after_many();
+  std::int64_t least_growth = std::numeric_limits<std::int64_t>::max();
+  for (int round = 0; round < 4; ++round) {
+    const std::int64_t after = bytes_after_many();
+    least_growth = std::min(least_growth, after - before);
+    before = after;
+  }
   // Ten bytes a context: less than one pointer that each would leave, with what malloc itself
   // keeps.
-  EXPECT_LT(grown, 10 * std::int64_t{count});
+  EXPECT_LT(least_growth, 10 * std::int64_t{count});
   OsmesaContext::release();
 }
 
