@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <new>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -22,13 +25,17 @@ namespace legacy_gl {
 
 namespace {
 
-/// Of a fixed size: a lack of memory has to be told too.
-constinit thread_local std::array<char, 512> status_detail{};
+/// By a pointer: thread variables of a library take room of which a process has little. nullptr: no
+/// detail, or no memory for one.
+thread_local std::unique_ptr<std::string> status_detail;
 
 legacy_gl_status fail(legacy_gl_status status, std::string_view detail) {
-  const std::size_t count = std::min(detail.size(), status_detail.size() - 1);
-  std::copy_n(detail.begin(), count, status_detail.begin());
-  status_detail[count] = 0;
+  try {
+    if (!status_detail) status_detail = std::make_unique<std::string>();
+    *status_detail = detail;
+  } catch (const std::bad_alloc&) {
+    status_detail.reset();
+  }
   return status;
 }
 
@@ -213,4 +220,4 @@ const char* legacy_gl_status_string(legacy_gl_status status) {
   return "unknown status";
 }
 
-const char* legacy_gl_status_detail(void) { return status_detail.data(); }
+const char* legacy_gl_status_detail(void) { return status_detail ? status_detail->c_str() : ""; }
