@@ -11,6 +11,7 @@
 #include "record/current_normal.hpp"
 #include "record/pending.hpp"
 #include "software/software_fast_path.hpp"
+#include "software/tuning.hpp"
 #include "software/vertex_lighting.hpp"
 #include "submit/batch.hpp"
 #include "submit/prepare.hpp"
@@ -19,6 +20,8 @@ namespace legacy_gl {
 
 namespace {
 
+using tuning::kMostLitVertices;
+
 constexpr VertexLayout kLitFrom{kFieldNormal, 0, 0, 0};
 constexpr VertexLayout kLitTo{kFieldTransformed | kFieldShaded, 0, 0, 0};
 constexpr unsigned kStride = Recorder::kShadedStride;
@@ -26,7 +29,7 @@ constexpr unsigned kStride = Recorder::kShadedStride;
 /// Vertices of one face on their way to be lit.
 class Chunk {
  public:
-  static constexpr std::uint32_t kVertices = kSmallDrawVertices;
+  static constexpr std::uint32_t kVertices = kMostLitVertices;
 
   void add(const float* position, const float* normal, float* color) {
     LightingBlock& block = blocks_[count_ / LightingBlock::kVertices];
@@ -81,8 +84,8 @@ class VertexSlots {
 
  private:
   static constexpr std::uint32_t kNone = ~0u;
-  std::array<std::array<std::uint32_t, kSmallDrawVertices>, 2> slots_;
-  std::array<std::uint32_t, 2 * kSmallDrawVertices> vertices_;
+  std::array<std::array<std::uint32_t, kMostLitVertices>, 2> slots_;
+  std::array<std::uint32_t, 2 * kMostLitVertices> vertices_;
   std::uint32_t count_ = 0;
 };
 
@@ -155,7 +158,7 @@ bool are_bounded(const std::vector<Light>& lights) {
 }  // namespace
 
 struct SoftwareFastPath::PlacedMesh {
-  std::array<Float4, kSmallDrawVertices> clip;  ///< coordinates of the mesh's vertices
+  std::array<Float4, kMostLitVertices> clip;  ///< coordinates of the mesh's vertices
   ClipFlags flags;
 
   PlacedMesh(const glm::mat4& to_clip, const ListMesh& mesh) {
@@ -210,7 +213,7 @@ bool SoftwareFastPath::shade_batch(Context& context) {
   Recorder& recorder = context.recorder;
   if (!recorder.is_shaded()) {
     if (recorder.inside_begin_end() || recorder.layout() != kLitFrom ||
-        recorder.vertex_count() > kSmallDrawVertices || !shades_next_draw(context))
+        recorder.vertex_count() > kMostLitVertices || !shades_next_draw(context))
       return false;
     recorder.become_shaded(context);
   }
@@ -249,8 +252,8 @@ void SoftwareFastPath::shade_vertices(Context& context) {
 bool SoftwareFastPath::can_shade_mesh(Context& context, const ListMesh& mesh) {
   DrawFacts facts;
   facts.unit_normals = mesh.unit_normals;
-  return !mesh.triangles.empty() && !(mesh.layout.fields & kFieldPositionW) &&
-         update_lighting(context, facts);
+  return !mesh.triangles.empty() && mesh.vertex_count() <= kMostLitVertices &&
+         !(mesh.layout.fields & kFieldPositionW) && update_lighting(context, facts);
 }
 
 bool SoftwareFastPath::append_shaded_mesh(Context& context, const ListMesh& mesh) {

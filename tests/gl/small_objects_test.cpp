@@ -192,6 +192,17 @@ TEST_P(SmallObjects, OfAListTakeFewDraws) {
   EXPECT_LE(statistics.draws, 8u);
 }
 
+// Lighting many vertices costs more than the draw that it saves.
+TEST_P(SmallObjects, OfManyVerticesAreLeftToTheDriver) {
+  const auto draws_lit = [&](Figure figure) {
+    draw(ours, nothing, figure, false, nothing);
+    return statistics_now().draws_lit_on_cpu;
+  };
+  EXPECT_EQ(draws_lit([](const GlFunctions& gl) { draw_figure(gl, GL_TRIANGLE_STRIP, 64); }),
+            lights_here() ? kObjects : 0u);
+  EXPECT_EQ(draws_lit([](const GlFunctions& gl) { draw_figure(gl, GL_TRIANGLE_STRIP, 66); }), 0u);
+}
+
 TEST_P(SmallObjects, OutsideOfTheViewAreDropped) {
   draw(
       ours, [](const GlFunctions& gl) { gl.Translatef(0, 0, 50); }, draw_list, false, nothing);
