@@ -1,5 +1,7 @@
 #include "context/optional_paths.hpp"
 
+#include "state/name_list.hpp"
+
 namespace legacy_gl {
 
 namespace {
@@ -31,14 +33,9 @@ std::span<const OptionalPathInfo> optional_path_table() { return kTable; }
 
 OptionalPaths without_paths(std::string_view names, std::string& unknown) {
   OptionalPaths paths;
-  while (!names.empty()) {
-    const std::size_t comma = names.find(',');
-    const std::string_view name = names.substr(0, comma);
-    names.remove_prefix(comma == std::string_view::npos ? names.size() : comma + 1);
-    if (name.empty() || turn_off(paths, name)) continue;
-    if (!unknown.empty()) unknown += ", ";
-    unknown += name;
-  }
+  for_each_name(names, [&](std::string_view name) {
+    if (!turn_off(paths, name)) append_name(unknown, name);
+  });
   return paths;
 }
 

@@ -4,6 +4,7 @@
 
 #include "driver/arithmetic_test.hpp"
 #include "driver/driver.hpp"
+#include "state/name_list.hpp"
 
 namespace legacy_gl {
 
@@ -53,16 +54,11 @@ bool override_one(DriverTraits& traits, std::string_view name, bool value) {
 }
 
 void override_traits(DriverTraits& traits, std::string_view overrides, std::string& unknown) {
-  while (!overrides.empty()) {
-    const std::size_t comma = overrides.find(',');
-    std::string_view name = overrides.substr(0, comma);
-    overrides.remove_prefix(comma == std::string_view::npos ? overrides.size() : comma + 1);
-    const bool off = !name.empty() && name.front() == '-';
+  for_each_name(overrides, [&](std::string_view name) {
+    const bool off = name.front() == '-';
     if (off) name.remove_prefix(1);
-    if (name.empty() || override_one(traits, name, !off)) continue;
-    if (!unknown.empty()) unknown += ", ";
-    unknown += name;
-  }
+    if (!name.empty() && !override_one(traits, name, !off)) append_name(unknown, name);
+  });
 }
 
 }  // namespace
@@ -74,7 +70,8 @@ DriverTraits find_driver_traits(const Driver& driver, std::string_view overrides
   DriverTraits traits;
   traits.rasterises_on_cpu = name_has(driver, "llvmpipe");
   traits.shares_fragment_stages = traits.rasterises_on_cpu;
-  traits.draws_wide_lines = offers_wide_lines(driver);
+  const bool offers_wide = offers_wide_lines(driver);
+  traits.draws_wide_lines = offers_wide;
   override_traits(traits, overrides, unknown);
   // Nobody asks elsewhere, and measuring takes a few milliseconds.
   traits.matches_cpu_arithmetic = traits.rasterises_on_cpu && matches_cpu_arithmetic(driver);
@@ -82,7 +79,7 @@ DriverTraits find_driver_traits(const Driver& driver, std::string_view overrides
   override_traits(traits, overrides, known);
   // What the driver does not have no override gives it.
   traits.shares_fragment_stages &= has_pipelines(driver);
-  traits.draws_wide_lines &= offers_wide_lines(driver);
+  traits.draws_wide_lines &= offers_wide;
   return traits;
 }
 
