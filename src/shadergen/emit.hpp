@@ -84,9 +84,6 @@ void emit_precise_to_light(Writer& w, const ProgramKey& key, std::uint8_t kind,
                            const std::string& index);
 void emit_precise_half_vector(Writer& w, const ProgramKey& key);
 
-/// Some light is a point, or the viewer is local.
-bool lighting_reads_position(const ProgramKey& key);
-
 /// By default: an attenuated light may be stronger than its colours, and its errors with it; the
 /// errors of several lights add up.
 bool corrects_half_vector(const ProgramKey& key, std::uint8_t kind);

@@ -264,13 +264,6 @@ void emit_distance(Writer& w, const ProgramKey& key, const std::string& light,
   else w.line("float distance = " + distance + ";");
 }
 
-bool lighting_reads_position(const ProgramKey& key) {
-  if (key.local_viewer) return true;
-  for (const LightRun& run : key.lights)
-    if (run.count && run.kind & kLightPoint) return true;
-  return false;
-}
-
 bool corrects_half_vector(const ProgramKey& key, std::uint8_t kind) {
   return key.quality == Quality::kDefault &&
          (kind & kLightAttenuated || (key.local_viewer && key.light_count() > 1));

@@ -75,6 +75,13 @@ std::size_t ProgramKeyHash::operator()(const ProgramKey& key) const noexcept {
   return hash;
 }
 
+bool lighting_reads_position(const ProgramKey& key) {
+  if (key.local_viewer) return true;
+  for (const LightRun& run : key.lights)
+    if (run.count && run.kind & kLightPoint) return true;
+  return false;
+}
+
 bool computes_half_vectors(const ProgramKey& key) {
   return std::any_of(key.lights.begin(), key.lights.end(), [&key](const LightRun& run) {
     return run.count && run.kind & kLightSpecular && (run.kind & kLightPoint || key.local_viewer);

@@ -121,6 +121,9 @@ struct ProgramKey {
   }
 };
 
+/// What is lit depends on where it is: some light is a point, or the viewer is local.
+bool lighting_reads_position(const ProgramKey& key);
+
 /// Half vectors depend on the vertex: a specular light is a point, or the viewer is local.
 bool computes_half_vectors(const ProgramKey& key);
 

@@ -1,6 +1,5 @@
 // Small objects, each under a modelview matrix of its own, in one batch: their vertices are
 // transformed here, since a draw call for each would cost more than that.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -32,12 +31,6 @@ bool reads_nothing_else(const ProgramKey& key) {
   rest.integer_shininess = {};
   rest.lights = {};
   return rest == ProgramKey{};
-}
-
-bool lights_by_position(const ProgramKey& key) {
-  return key.local_viewer ||
-         std::any_of(key.lights.begin(), key.lights.end(),
-                     [](const LightRun& run) { return run.count && run.kind & kLightPoint; });
 }
 
 /// Eye coordinates as large as this would cost positional light its digits.
@@ -129,7 +122,7 @@ bool SoftwareFastPath::begin_transformed(Context& context) {
   if (!can_transform(context)) return false;
   const Matrix& modelview = context.transform.modelview.top();
   const bool lit_by_position =
-      context.lighting.enabled && lights_by_position(submission.inputs.key);
+      context.lighting.enabled && lighting_reads_position(submission.inputs.key);
   if (!is_affine(modelview.exact)) return false;
   if (lit_by_position)
     for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,4 @@
 // Polygons that glPolygonMode turns into lines or points (GL 2.1 spec 3.5.4).
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -15,14 +14,6 @@
 namespace legacy_gl {
 
 namespace {
-
-/// What is lit depends on where it is.
-bool reads_lighting_position(const ProgramKey& key) {
-  return key.lit && (key.local_viewer ||
-                     std::any_of(key.lights.begin(), key.lights.end(), [](const LightRun& run) {
-                       return run.count && run.kind & kLightPoint;
-                     }));
-}
 
 /// GL 2.1 spec 3.5.5, "r".
 double depth_resolution(const Context& context) {
@@ -110,7 +101,7 @@ void draw_expanded(Context& context) {
       .modelview_projection = submission.inputs.transform.modelview_projection,
       .two_side = key.two_side,
       .flat = key.flat,
-      .lighting_position = key.flat && reads_lighting_position(key),
+      .lighting_position = key.flat && key.lit && lighting_reads_position(key),
       .depth_resolution = depth_resolution(context),
       .line_stipple = stippled};
   ExpandedBatch& expanded = submission.expanded;

@@ -20,11 +20,6 @@ double length_of_unit_normal(const Context& context, const LinearPart& linear) {
   return (context.transform.rescale_normal_enabled ? linear.rescale_factor : 1.0) / linear.scale;
 }
 
-/// The lights' directions, or the viewer's, depend on the vertex.
-bool reads_position(const ProgramKey& key) {
-  return has_light(key, kLightPoint) || key.local_viewer;
-}
-
 /// Whether some vector is made unit length in object space that has to be so in eye coordinates.
 /// Only half vectors show it.
 bool angles_matter(const ProgramKey& key) {
@@ -126,8 +121,8 @@ void DrawInputs::update_transform(Context& context) {
 
 void DrawInputs::choose_space(const Context& context, const VertexLayout& layout) {
   key.position4 = (layout.fields & kFieldPositionW) != 0;
-  directions_only_ =
-      !normalizes_ && !reads_position(key) && (linear_.keeps_angles || !is_per_fragment(context));
+  directions_only_ = !normalizes_ && !lighting_reads_position(key) &&
+                     (linear_.keeps_angles || !is_per_fragment(context));
   // What lights only normals as they are given is a row of object space under any modelview:
   // (normal × inverse) · l = normal · (inverse × l).
   if (directions_only_) {
