@@ -7,8 +7,8 @@
 
 #include "geometry/clip_test.hpp"
 #include "geometry/primitives.hpp"
-#include "record/current_normal.hpp"
 #include "shadergen/attributes.hpp"
+#include "submit/constant_attributes.hpp"
 #include "submit/prepare.hpp"
 #include "translate/draw_inputs_parts.hpp"
 
@@ -35,16 +35,6 @@ void for_each_source(const VertexLayout& layout, Visit visit) {
     for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
       if (layout.texcoords & 1u << unit)
         visit(Source{kTexCoordArray + unit, texcoord_location(unit)});
-}
-
-glm::vec4 current_value(const Context& context, unsigned array) {
-  switch (array) {
-    case kNormalArray: return glm::vec4(normal_to_draw(context), 0);
-    case kSecondaryColorArray: return context.current.secondary_color;
-    case kFogCoordArray: return glm::vec4(context.current.fog_coordinate, 0, 0, 1);
-    case kColorArray: return context.current.color;
-    default: return context.current.texture_coordinates[array - kTexCoordArray];
-  }
 }
 
 /// What the driver would fetch is what the specification of OpenGL 1.5 says. Drivers differ in how
@@ -103,13 +93,19 @@ bool is_cut(const ArrayDraw& draw, ReadableArrays& arrays, const DrawInputs& inp
   return false;
 }
 
-void set_constant_attributes(const Context& context, const VertexLayout& layout) {
-  const Driver& driver = context.driver->functions;
-  for_each_source(layout, [&](const Source& source) {
-    if (source.array == kVertexArray || context.arrays.arrays[source.array].enabled) return;
-    const glm::vec4 value = current_value(context, source.array);
-    driver.VertexAttrib4fv(source.location, &value[0]);
-  });
+/// What the layout asks for and no array gives.
+void set_attributes_without_array(const Context& context, const VertexLayout& layout) {
+  const auto has_array = [&context](unsigned array) {
+    return context.arrays.arrays[array].enabled;
+  };
+  unsigned fields = layout.fields, texcoords = layout.texcoords;
+  if (has_array(kNormalArray)) fields &= ~unsigned{kFieldNormal};
+  if (has_array(kColorArray)) fields &= ~unsigned{kFieldColor};
+  if (has_array(kSecondaryColorArray)) fields &= ~unsigned{kFieldSecondaryColor};
+  if (has_array(kFogCoordArray)) fields &= ~unsigned{kFieldFogCoord};
+  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
+    if (has_array(kTexCoordArray + unit)) texcoords &= ~(1u << unit);
+  set_constant_attributes(context, static_cast<std::uint16_t>(fields), texcoords);
 }
 
 /// What the state reads, as the arrays have it.
@@ -158,7 +154,7 @@ void draw_arrays_direct(Context& context, const ArrayDraw& draw, DirectArrays ar
       indices_lie_there ? elements->driver_name.get() : objects.index_stream.name();
   arrays.attributes.index_serial = indices_lie_there ? elements->serial : 0;
   context.driver->bind_vertex_array(objects.buffer_arrays.find_or_build(arrays.attributes));
-  set_constant_attributes(context, arrays.layout);
+  set_attributes_without_array(context, arrays.layout);
 
   GLsizei count = static_cast<GLsizei>(draw.count);
   GLenum type = draw.element_type;

@@ -1,11 +1,9 @@
 // Meshes of display lists, drawn from the buffers that keep them.
-#include <algorithm>
+#include "submit/mesh.hpp"
 
 #include "geometry/clip_test.hpp"
-#include "record/current_normal.hpp"
 #include "record/pending.hpp"
-#include "shadergen/attributes.hpp"
-#include "submit/mesh.hpp"
+#include "submit/constant_attributes.hpp"
 #include "submit/prepare.hpp"
 
 namespace legacy_gl {
@@ -52,23 +50,8 @@ void draw_mesh_from_buffers(Context& context, const ListMesh& mesh) {
     context.statistics.list_vertices_welded += mesh.welded;
   }
   // What the list does not say is the current value when it is called.
-  const auto missing = static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields);
-  const CurrentValues& current = context.current;
-  if (missing & kFieldNormal) {
-    const glm::vec4 normal(normal_to_draw(context), 1);
-    driver.VertexAttrib4fv(kLocationNormal, &normal[0]);
-  }
-  if (missing & kFieldColor) driver.VertexAttrib4fv(kLocationColor, &current.color[0]);
-  if (missing & kFieldSecondaryColor)
-    driver.VertexAttrib4fv(kLocationSecondaryColor, &current.secondary_color[0]);
-  if (missing & kFieldFogCoord) {
-    const glm::vec4 coordinate(current.fog_coordinate, 0, 0, 1);
-    driver.VertexAttrib4fv(kLocationFogCoord, &coordinate[0]);
-  }
-  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
-    if (wanted.texcoords & ~kept & 1u << unit)
-      driver.VertexAttrib4fv(texcoord_location(unit), &current.texture_coordinates[unit][0]);
-
+  set_constant_attributes(context, static_cast<std::uint16_t>(wanted.fields & ~mesh.layout.fields),
+                          wanted.texcoords & ~kept);
   context.statistics.vertices += mesh.vertex_count();
   ++context.statistics.batches;
   context.driver->bind_vertex_array(buffers.array);
