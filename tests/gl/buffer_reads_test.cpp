@@ -16,8 +16,6 @@ constexpr GLsizei kVertices = 1200;  // enough for every way that arrays are dra
 
 class Reads : public DriverObserver {
  public:
-  Reads() { observe_driver(this); }
-  ~Reads() override { observe_driver(nullptr); }
   bool before(const DriverCall& call) override {
     if (call.is("glMapBufferRange") && call.argument(3) & GL_MAP_READ_BIT) ++count;
     if (call.is("glGetBufferSubData")) ++count;

@@ -18,9 +18,6 @@ namespace {
 /// done and an error to be asked for.
 class FaultyDriver : public DriverObserver {
  public:
-  FaultyDriver() { observe_driver(this); }
-  ~FaultyDriver() override { observe_driver(nullptr); }
-
   void fail(const char* function, int nth) {
     function_ = function;
     until_failure_ = nth;

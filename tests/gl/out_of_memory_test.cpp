@@ -18,8 +18,6 @@ namespace {
 // The driver's own allocations do not fail: it may end the process, and is not what is tested.
 class DriverIsExempt : public DriverObserver {
  public:
-  DriverIsExempt() { observe_driver(this); }
-  ~DriverIsExempt() override { observe_driver(nullptr); }
   bool before(const DriverCall&) override {
     was_exempt_ = exempt_allocations(true);
     return true;

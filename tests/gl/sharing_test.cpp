@@ -129,11 +129,22 @@ CoreContext sharing(const CoreContext& other) {
   return CoreContext(kSize, kSize, PixelFormat::rgba8, {}, {.shares = &other});
 }
 
+// Two contexts that share, and what the first has made.
+struct Pair {
+  CoreContext maker{kSize, kSize};
+  CoreContext user = sharing(maker);
+  GLuint name = 0;
+
+  explicit Pair(const Kind& kind) {
+    maker.make_current();
+    name = kind.make(maker.gl, kRed);
+  }
+};
+
 TEST(Sharing, WhatOneMakesTheOtherDraws) {
   for (const Kind& kind : kKinds) {
-    CoreContext maker(kSize, kSize), user = sharing(maker);
-    maker.make_current();
-    const GLuint name = kind.make(maker.gl, kRed);
+    Pair pair(kind);
+    auto& [maker, user, name] = pair;
     user.make_current();
     EXPECT_EQ(kind.exists(user.gl, name), GL_TRUE) << kind.name;
     kind.bind(user.gl, name);
@@ -143,9 +154,8 @@ TEST(Sharing, WhatOneMakesTheOtherDraws) {
 
 TEST(Sharing, WhatOneChangesTheOtherSees) {
   for (const Kind& kind : kKinds) {
-    CoreContext maker(kSize, kSize), user = sharing(maker);
-    maker.make_current();
-    const GLuint name = kind.make(maker.gl, kRed);
+    Pair pair(kind);
+    auto& [maker, user, name] = pair;
     user.make_current();
     kind.bind(user.gl, name);
     EXPECT_EQ(drawn(user, kind, name), kRed) << kind.name;
@@ -161,9 +171,8 @@ TEST(Sharing, WhatOneChangesTheOtherSees) {
 // GL 2.1 spec D.3: the name is gone for both at once, the object when nobody has it bound.
 TEST(Sharing, WhatOneDeletesLivesWhereItIsBound) {
   for (const Kind& kind : kKinds) {
-    CoreContext maker(kSize, kSize), user = sharing(maker);
-    maker.make_current();
-    const GLuint name = kind.make(maker.gl, kRed);
+    Pair pair(kind);
+    auto& [maker, user, name] = pair;
     user.make_current();
     kind.bind(user.gl, name);
     maker.make_current();
@@ -179,11 +188,9 @@ TEST(Sharing, WhatOneDeletesLivesWhereItIsBound) {
 
 TEST(Sharing, NamesOfOneAreNotGivenToTheOther) {
   for (const Kind& kind : kKinds) {
-    CoreContext maker(kSize, kSize), user = sharing(maker);
-    maker.make_current();
-    const GLuint first = kind.make(maker.gl, kRed);
-    user.make_current();
-    EXPECT_NE(kind.make(user.gl, kRed), first) << kind.name;
+    Pair pair(kind);
+    pair.user.make_current();
+    EXPECT_NE(kind.make(pair.user.gl, kRed), pair.name) << kind.name;
   }
 }
 
@@ -242,12 +249,6 @@ class Living : public DriverObserver {
   int unknown = 0;  ///< deleted and not living
 };
 
-class Observed {
- public:
-  explicit Observed(DriverObserver& observer) { observe_driver(&observer); }
-  ~Observed() { observe_driver(nullptr); }
-};
-
 CoreContext shimmed(const CoreContext* shares = nullptr) {
   return CoreContext(kSize, kSize, PixelFormat::rgba8, {},
                      {.loader = shimmed_proc, .shares = shares});
@@ -255,7 +256,6 @@ CoreContext shimmed(const CoreContext* shares = nullptr) {
 
 TEST(Sharing, NothingIsLeftInTheDriver) {
   Living living;
-  const Observed observed(living);
   {
     CoreContext maker = shimmed(), user = shimmed(&maker);
     for (const Kind& kind : kKinds) {
@@ -279,7 +279,6 @@ TEST(Sharing, NothingIsLeftInTheDriver) {
 // is deleted there, but by the next context that is.
 TEST(Sharing, LastOwnerWithoutADriverContextDeletesNothing) {
   Living living;
-  const Observed observed(living);
   CoreContext maker = shimmed(), user = shimmed(&maker);
   maker.make_current();
   GLuint texture = kKinds[1].make(maker.gl, kRed);
@@ -303,7 +302,6 @@ TEST(Sharing, LastOwnerWithoutADriverContextDeletesNothing) {
 // glDeleteLists frees what the driver has of the lists with the next flush, however many there are.
 TEST(Sharing, DeletedListsAreFreedWithTheNextFlush) {
   Living living;
-  const Observed observed(living);
   CoreContext context = shimmed();
   const auto buffers = [&] { return living.names["Buffers"].size(); };
   for (const int count : {1, 60}) {

@@ -76,8 +76,6 @@ std::string enum_name(std::uint64_t value) {
 
 class Recording : public DriverObserver {
  public:
-  Recording() { observe_driver(this); }
-  ~Recording() override { observe_driver(nullptr); }
   bool before(const DriverCall& call) override {
     std::string function = call.name;
     if (changes_objects_alone(function)) return true;
@@ -107,10 +105,7 @@ Touched documented() {
       selectors.insert(at->str(1));
     for (std::sregex_iterator at(functions.begin(), functions.end(), function), end; at != end;
          ++at)
-      for (const std::string& selector : selectors) result[at->str(1)].insert(selector);
-    for (std::sregex_iterator at(functions.begin(), functions.end(), function), end; at != end;
-         ++at)
-      result[at->str(1)];
+      result[at->str(1)].insert(selectors.begin(), selectors.end());
   }
   return result;
 }

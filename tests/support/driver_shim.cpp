@@ -75,6 +75,7 @@ legacy_gl_proc shimmed_proc(const char* name) {
   return real && at != table.end() ? at->second : real;
 }
 
-void observe_driver(DriverObserver* told) { observer = told; }
+DriverObserver::DriverObserver() { observer = this; }
+DriverObserver::~DriverObserver() { observer = nullptr; }
 
 }  // namespace legacy_gl::test

@@ -17,9 +17,13 @@ struct DriverCall {
   bool is(const char* other) const { return std::strcmp(name, other) == 0; }
 };
 
+// Observes the calls of this thread for as long as it lives; one at a time.
 class DriverObserver {
  public:
-  virtual ~DriverObserver() = default;
+  DriverObserver();
+  virtual ~DriverObserver();
+  DriverObserver(const DriverObserver&) = delete;
+  DriverObserver& operator=(const DriverObserver&) = delete;
   // False: the driver is not called, and `answer` is its answer.
   virtual bool before(const DriverCall&) { return true; }
   virtual std::uint32_t answer(const DriverCall&) { return 0; }
@@ -29,8 +33,5 @@ class DriverObserver {
 // The functions of OSMesa's core contexts. Those that the library does not know come from the
 // driver as they are.
 legacy_gl_proc shimmed_proc(const char* name);
-
-// Of this thread; nullptr: none. The caller keeps it.
-void observe_driver(DriverObserver* observer);
 
 }  // namespace legacy_gl::test
