@@ -1,3 +1,9 @@
+if(LEGACY_GL_SANITIZE_THREAD)
+  set(LEGACY_GL_SANITIZERS thread)
+elseif(LEGACY_GL_SANITIZE)
+  set(LEGACY_GL_SANITIZERS address,undefined)
+endif()
+
 # legacy_gl_set_compile_options(<target>): what every C and C++ target of this tree is compiled with.
 function(legacy_gl_set_compile_options target)
   target_compile_features(${target} PRIVATE c_std_99 cxx_std_20)
@@ -11,14 +17,9 @@ function(legacy_gl_set_compile_options target)
   # to match Mesa's bit for bit, or coverage and GL_EQUAL depth tests differ by single pixels.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 
-  if(LEGACY_GL_SANITIZE)
-    target_compile_options(
-      ${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
-                        -fno-omit-frame-pointer)
-    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
-  endif()
-  if(LEGACY_GL_SANITIZE_THREAD)
-    target_compile_options(${target} PRIVATE -fsanitize=thread)
-    target_link_options(${target} PRIVATE -fsanitize=thread)
+  if(LEGACY_GL_SANITIZERS)
+    target_compile_options(${target} PRIVATE -fsanitize=${LEGACY_GL_SANITIZERS}
+                                             -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${LEGACY_GL_SANITIZERS})
   endif()
 endfunction()
