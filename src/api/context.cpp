@@ -2,7 +2,6 @@
 #include "record/pending.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

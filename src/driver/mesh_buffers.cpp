@@ -27,7 +27,8 @@ bool MeshBuffers::free_deleted() {
 
 MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool& uploaded) {
   const auto at = entries_.find(&mesh);
-  if (at != entries_.end() && at->second.stored && !at->second.mesh.expired()) return at->second;
+  const bool known = at != entries_.end() && !at->second.mesh.expired();
+  if (known && at->second.stored) return at->second;
   uploaded = true;
   if (at != entries_.end()) {  // a new mesh where a deleted one was, or no memory was there
     erase(at->second);
@@ -37,7 +38,7 @@ MeshBuffers::Entry& MeshBuffers::find_or_upload(const ListMesh& mesh, bool& uplo
 
   Entry& entry = entries_[&mesh];
   entry.mesh = mesh.weak_from_this();
-  mesh.deletion_notices.give_to(deleted_, &mesh);
+  if (!known) mesh.deletion_notices.give_to(deleted_, &mesh);
   forget_errors(driver_);
   entry.vertex_buffer = build_buffer(driver_, GL_ARRAY_BUFFER, mesh.vertices.data(),
                                      mesh.vertices.size() * sizeof(float));

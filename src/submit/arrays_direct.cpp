@@ -20,17 +20,19 @@ namespace {
 struct Source {
   unsigned array;
   unsigned location;
+  std::uint16_t field = 0;  ///< of VertexLayout; 0 for positions and texture coordinates
 };
 
 /// The arrays that `layout` asks for, the positions first.
 template <typename Visit>
 void for_each_source(const VertexLayout& layout, Visit visit) {
   visit(Source{kVertexArray, kLocationPosition});
-  if (layout.fields & kFieldNormal) visit(Source{kNormalArray, kLocationNormal});
-  if (layout.fields & kFieldColor) visit(Source{kColorArray, kLocationColor});
+  if (layout.fields & kFieldNormal) visit(Source{kNormalArray, kLocationNormal, kFieldNormal});
+  if (layout.fields & kFieldColor) visit(Source{kColorArray, kLocationColor, kFieldColor});
   if (layout.fields & kFieldSecondaryColor)
-    visit(Source{kSecondaryColorArray, kLocationSecondaryColor});
-  if (layout.fields & kFieldFogCoord) visit(Source{kFogCoordArray, kLocationFogCoord});
+    visit(Source{kSecondaryColorArray, kLocationSecondaryColor, kFieldSecondaryColor});
+  if (layout.fields & kFieldFogCoord)
+    visit(Source{kFogCoordArray, kLocationFogCoord, kFieldFogCoord});
   if (layout.texcoords)
     for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
       if (layout.texcoords & 1u << unit)
@@ -95,16 +97,12 @@ bool is_cut(const ArrayDraw& draw, ReadableArrays& arrays, const DrawInputs& inp
 
 /// What the layout asks for and no array gives.
 void set_attributes_without_array(const Context& context, const VertexLayout& layout) {
-  const auto has_array = [&context](unsigned array) {
-    return context.arrays.arrays[array].enabled;
-  };
-  unsigned fields = layout.fields, texcoords = layout.texcoords;
-  if (has_array(kNormalArray)) fields &= ~unsigned{kFieldNormal};
-  if (has_array(kColorArray)) fields &= ~unsigned{kFieldColor};
-  if (has_array(kSecondaryColorArray)) fields &= ~unsigned{kFieldSecondaryColor};
-  if (has_array(kFogCoordArray)) fields &= ~unsigned{kFieldFogCoord};
-  for (unsigned unit = 0; unit < kMaxTextureUnits; ++unit)
-    if (has_array(kTexCoordArray + unit)) texcoords &= ~(1u << unit);
+  unsigned fields = 0, texcoords = 0;
+  for_each_source(layout, [&](const Source& source) {
+    if (context.arrays.arrays[source.array].enabled) return;
+    fields |= source.field;
+    if (source.array >= kTexCoordArray) texcoords |= 1u << (source.array - kTexCoordArray);
+  });
   set_constant_attributes(context, static_cast<std::uint16_t>(fields), texcoords);
 }
 

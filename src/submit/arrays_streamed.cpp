@@ -25,6 +25,7 @@ std::optional<std::uint32_t> stream_vertices(Context& context, const ArrayGather
   const std::uint32_t count = range.highest - range.lowest + 1;
   const std::size_t stride = gather.stride() * sizeof(float);
   std::size_t offset = 0;
+  // Before anything is mapped: it may throw.
   submission.floats.resize(ArrayGather::kBlockVertices * gather.stride());
   auto* to = static_cast<std::byte*>(objects.vertex_stream.map(count * stride, stride, offset));
   if (!to) return {};
