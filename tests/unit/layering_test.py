@@ -109,7 +109,9 @@ def symbols(objects, flag):
     """{room: {symbol}} of the object files below `objects`, one directory a room; `flag` is nm's."""
     found = {}
     for room in MAY_INCLUDE:
-        files = sorted(map(str, objects.glob(f"{room}/**/*.o")))
+        # A build directory keeps the objects of sources that were moved or removed since.
+        files = sorted(str(file) for file in objects.glob(f"{room}/**/*.o")
+                       if (SRC / file.relative_to(objects).with_suffix("")).exists())
         if files:
             lines = subprocess.run(["nm", "--format=posix", flag, *files], text=True, capture_output=True, check=True).stdout
             # Weak symbols are inline functions: every room that uses one has its own.
